@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evenmesh/base/vec3.h"
+#include "evenmesh/mesh/mesh.h"
+
+namespace evenmesh {
+
+/// What a reader remembers of a file, so that the file can be written again with other coordinates
+/// and not one other byte changed. One subclass per format, in the format's own source file.
+class FilePatch {
+ public:
+  virtual ~FilePatch() = default;
+
+  /// "obj", "stl_ascii", "stl_binary".
+  virtual std::string_view format() const = 0;
+
+  /// The positions that a reader of the output would see: those of the input, bit for bit, where a
+  /// vertex did not move, and otherwise the nearest that the file can hold (STL: single precision).
+  virtual std::vector<Vec3> representable(Points points) const = 0;
+
+  /// The input's bytes with new coordinates for the vertices that moved, handed to sink piece by
+  /// piece in order. A vertex whose position has the same bits as in the input keeps its exact
+  /// text; a moved one gets the shortest digits that read back as the same number.
+  /// @pre  points.size() is that of the mesh; all finite
+  virtual void write(Points points, const std::function<void(std::string_view)>& sink) const = 0;
+
+  /// The name that a user finds in the file: "face 17 (line 203)", "facet 12".
+  virtual std::string cell_name(std::size_t cell) const = 0;
+  virtual std::string vertex_name(Index vertex) const = 0;
+};
+
+struct MeshFile {
+  std::filesystem::path path;
+  Mesh mesh;
+  std::unique_ptr<const FilePatch> patch;
+  std::vector<std::string> group_names;  // [group number of a cell]; entry 0 is "no group"
+  std::vector<std::string> notes;        // what the reader wants the user to know, whole sentences
+  std::uint64_t bytes = 0;               // size of the file
+};
+
+struct ReadOptions {
+  /// STL: corners that are at most this far apart become one vertex (length unit of the file).
+  /// 0 welds corners whose coordinates are equal as numbers, which is how exporters write them.
+  double weld_tolerance = 0.0;
+};
+
+/// Reads a mesh; the format is found from the content, and from the suffix only where the content
+/// leaves it open.
+/// @throws IoError      cannot be opened, not a format evenmesh reads, or broken; the message names
+///                      file, line (or byte or facet), what is wrong and what to try
+/// @throws InvalidMesh  never: the reader's message says where in the file the fault is
+MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// Writes the file again with new positions: to a temporary file beside `path`, which is then read
+/// back and compared (same connectivity, the positions of representable()), given to `check`, and
+/// only then renamed to `path`. On any failure, or when check throws, the temporary file is removed
+/// and whatever was at `path` is as before.
+/// @param check  called with the mesh as read back; throws to refuse
+/// @throws IoError  no permission, disk full, or the file read back differs
+void write_mesh(const MeshFile& file, Points points, const std::filesystem::path& path,
+                const ReadOptions& options = {},
+                const std::function<void(const Mesh& written)>& check = {});
+
+}  // namespace evenmesh
