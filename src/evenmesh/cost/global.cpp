@@ -19,8 +19,9 @@ Global::Global(double length, Scaling scaling)
   }
 }
 
-double Global::evaluate(const CellBlock& cells, Points x, std::span<Vec3> gradient) const {
-  return sum_over_edge_lengths(cells, x, gradient, [this](auto lengths, auto slopes) {
+double Global::evaluate(const CellBlock& cells, Points x, double weight,
+                        std::span<Vec3> gradient) const {
+  return sum_over_edge_lengths(cells, x, weight, gradient, [this](auto lengths, auto slopes) {
     double sum = 0.0;
     for (std::size_t j = 0; j < lengths.size(); ++j) {
       const double excess = lengths[j] - length_;
