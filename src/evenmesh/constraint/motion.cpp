@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "evenmesh/mesh/measure.h"
+#include "evenmesh/geometry/area.h"
 
 namespace evenmesh {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "evenmesh/base/error.h"
 #include "evenmesh/cost/edges.h"
+#include "evenmesh/geometry/area.h"
 #include "evenmesh/mesh/measure.h"
 
 namespace evenmesh {

@@ -12,6 +12,7 @@
 #include "evenmesh/cost/barycenter.h"
 #include "evenmesh/cost/global.h"
 #include "evenmesh/cost/local.h"
+#include "evenmesh/geometry/area.h"
 #include "evenmesh/mesh/measure.h"
 
 namespace evenmesh {
