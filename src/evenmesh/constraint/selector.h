@@ -18,7 +18,8 @@ namespace evenmesh {
 ///
 /// `+` joins, `-` takes away, `&` keeps what both have; spaces are ignored around terms. `features`
 /// includes non-manifold edges, which no smooth surface has. Vertex numbers in `id:` are those of
-/// the file, counted from first_id. A box includes its faces.
+/// the file, counted from first_id; a minus between two numbers makes a range, any other takes
+/// away. A box includes its faces, and its numbers may be infinite (inf).
 /// @param first_id  the number the file gives its first vertex (1 for OBJ, 0 for numbered-by-place)
 /// @return  one flag per vertex
 /// @throws InvalidOption  the text does not parse (the message shows where and what is known), or

@@ -30,13 +30,22 @@ std::string_view name(MeshType type);
 /// - volume: the same over faces shared by two cells; the sense in which more volume is positive.
 /// - surface: each cell's own normal in the input is its up, so no cell starts inverted unless a
 ///   corner of it points against its own mean normal (a concave or bow-tie quad).
+///
+/// Two cells on the same vertices do not say how they are wound to one another, nor does a side of
+/// three or more. In a piece that cannot be wound consistently every cell of a plane or a volume is
+/// taken as positive, and none counts as wound against the majority.
 struct Orientation {
   MeshType type = MeshType::surface;
-  Vec3 normal = Vec3::Zero();        // planar: the common unit normal; else zero
-  std::vector<std::int8_t> signs;    // per cell: -1 where wound against the majority; empty: all +1
-  std::vector<Vec3> normals;         // surface: per cell, unit or zero (no area); else empty
-  std::size_t against_majority = 0;  // cells wound against the majority of their piece
-  bool orientable = true;            // false: some piece is like a Moebius strip
+  Vec3 normal = Vec3::Zero();  // planar: the common unit normal; else zero
+  /// Per cell, 1 or -1; empty: all 1. planar: whether the cell is positive about normal or about
+  /// its opposite. volume: whether it is wound as its kind says or the other way. surface: -1 where
+  /// wound against the majority of its piece.
+  std::vector<std::int8_t> signs;
+  std::vector<Vec3> normals;  // surface: per cell, unit or zero (no area); else empty
+  /// Cells wound against the majority of their piece. 0 for a mesh that is wound the other way as
+  /// a whole.
+  std::size_t against_majority = 0;
+  bool orientable = true;  // false: some piece is like a Moebius strip
 
   double sign(std::size_t cell) const { return signs.empty() ? 1.0 : signs[cell]; }
 

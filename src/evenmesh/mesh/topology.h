@@ -14,7 +14,12 @@ namespace evenmesh {
 /// Which vertices lie on what must usually be kept, found from the input mesh.
 ///
 /// The skin of a volume mesh (faces with one incident cell) is treated as a surface mesh of its
-/// own: its vertices are the boundary, and its dihedral angles make the features.
+/// own: its vertices are the boundary, and its dihedral angles make the features. So do edges on
+/// which more than two of its faces meet. Curves end and meet on the skin only.
+///
+/// A cell that is listed twice is no neighbour of itself: where there is no other, it has a
+/// boundary. A planar mesh has no features: a cell that is turned over there is tangled, not
+/// folded.
 struct Topology {
   std::vector<char> boundary;      // per vertex: on an edge (volume: face) with one incident cell
   std::vector<char> non_manifold;  // per vertex: on an edge (volume: face) with three or more
@@ -36,7 +41,11 @@ struct TopologyOptions {
   double feature_angle = 45.0;
 };
 
-/// O(corners log corners) time.
+/// Surface cells in a volume mesh are where something acts, so those off the skin count as
+/// interface.
+///
+/// O(corners) time; about 100 bytes per vertex of a triangle mesh while it runs.
+/// @pre  orientation is that of the mesh
 /// @throws InvalidOption  the feature angle is outside (0, 180).
 Topology find_topology(const Mesh& mesh, const Orientation& orientation,
                        const TopologyOptions& options = {});

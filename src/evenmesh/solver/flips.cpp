@@ -26,9 +26,8 @@ std::vector<Index> Flips::find(Workers& workers, Points x, Points x_new) const {
       if (after > 0.0) continue;
       const double before = least([&](int k) -> const Vec3& { return x[cell[k]]; });
       if (before <= 0.0) {
-        const auto original = mesh_.cells().vertices(number);
-        const auto at = [&](int k) -> const Vec3& { return mesh_.points()[original[k]]; };
-        if (after >= std::min(before, least(at))) continue;
+        const double first = least([&](int k) -> const Vec3& { return input_[cell[k]]; });
+        if (after >= std::min(before, first)) continue;
       }
       found[chunk].insert(found[chunk].end(), cell.begin(), cell.end());
     }

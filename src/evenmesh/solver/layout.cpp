@@ -4,46 +4,19 @@
 #include <algorithm>
 #include <numeric>
 
-#include "evenmesh/mesh/ordering.h"
-
 namespace evenmesh {
-namespace {
-
-constexpr Index kUnused = ~Index{0};
-
-// The vertices that cells use, in the order they are to be numbered.
-std::vector<Index> choose_order(const Cells& cells, std::size_t points) {
-  std::vector<char> used(points, 0);
-  for (const Index v : cells.corners()) used[v] = 1;
-  std::vector<Index> order;
-  if (has_good_order(cells)) {
-    order.resize(points);
-    std::iota(order.begin(), order.end(), Index{0});
-  } else {
-    order = breadth_first_order(cells, points);
-  }
-  std::erase_if(order, [&](Index v) { return !used[v]; });
-  return order;
-}
-
-}  // namespace
-
-Layout::Layout(const Cells& cells, std::size_t points) : order_(choose_order(cells, points)) {
-  std::vector<Index> number(points, kUnused);
-  for (std::size_t k = 0; k < order_.size(); ++k) number[order_[k]] = static_cast<Index>(k);
-  sort_cells(cells, number);
+Layout::Layout(const Cells& cells, std::size_t points) {
+  sort_cells(cells, points);
   colour_chunks();
 }
 
-void Layout::sort_cells(const Cells& cells, std::span<const Index> number) {
+void Layout::sort_cells(const Cells& cells, std::size_t points) {
   // Counting sort by the least vertex, then by kind within each chunk.
   std::vector<Index> least(cells.size());
-  std::vector<std::uint32_t> start(order_.size() + 1, 0);
+  std::vector<std::uint32_t> start(points + 1, 0);
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    Index low = kUnused;
-    for (const Index v : cells.vertices(c)) low = std::min(low, number[v]);
-    least[c] = low;
-    ++start[low + 1];
+    least[c] = std::ranges::min(cells.vertices(c));
+    ++start[least[c] + 1];
   }
   std::partial_sum(start.begin(), start.end(), start.begin());
   numbers_.resize(cells.size());
@@ -58,9 +31,9 @@ void Layout::sort_cells(const Cells& cells, std::span<const Index> number) {
   };
   corners_.reserve(cells.corners().size());
   chunk_start_ = {0};
-  for (std::size_t v = 0; v < order_.size(); v += kChunkSize) {
+  for (std::size_t v = 0; v < points; v += kChunkSize) {
     const auto first = numbers_.begin() + start[v];
-    const auto last = numbers_.begin() + start[std::min(v + kChunkSize, order_.size())];
+    const auto last = numbers_.begin() + start[std::min(v + kChunkSize, points)];
     const auto by_key = [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); };
     if (!std::is_sorted(first, last, by_key)) std::stable_sort(first, last, by_key);
     for (auto c = first; c != last;) {
@@ -69,7 +42,8 @@ void Layout::sort_cells(const Cells& cells, std::span<const Index> number) {
                        static_cast<std::size_t>(c - numbers_.begin()),
                        static_cast<std::size_t>(end - c)});
       for (; c != end; ++c) {
-        for (const Index w : cells.vertices(*c)) corners_.push_back(number[w]);
+        const auto vertices = cells.vertices(*c);
+        corners_.insert(corners_.end(), vertices.begin(), vertices.end());
       }
     }
     chunk_start_.push_back(runs_.size());

@@ -16,26 +16,21 @@ namespace evenmesh {
 
 /// A mesh's cells rearranged for speed; the mesh itself stays as it is.
 ///
-/// Vertices that cells use are renumbered breadth-first where the file's order is poor, and cut
-/// into chunks of kChunkSize consecutive numbers. Each cell belongs to the chunk of its least
-/// vertex, so a chunk's cells reach into few other chunks. Chunks that reach a common vertex get
-/// different colours. Cells of one colour's chunks can then add to per-vertex arrays in parallel
-/// without atomics and without a second copy, and every vertex receives its contributions in the
-/// same order whatever the number of threads: same bits, at the price of a plain serial scatter.
+/// Vertices are cut into chunks of kChunkSize consecutive numbers. Each cell belongs to the chunk
+/// of its least vertex, so in a mesh of good order a chunk's cells reach into few other chunks.
+/// Chunks that reach a common vertex get different colours. Cells of one colour's chunks can then
+/// add to per-vertex arrays in parallel without atomics and without a second copy, and every vertex
+/// receives its contributions in the same order whatever the number of threads: same bits, at the
+/// price of a plain serial scatter.
 class Layout {
  public:
   static constexpr std::size_t kChunkSize = 2048;
 
   Layout(const Cells& cells, std::size_t points);
 
-  /// Vertices that belong to cells, numbered [0, size()) here.
-  std::size_t size() const { return order_.size(); }
-  /// The mesh's number of a vertex of the layout.
-  std::span<const Index> order() const { return order_; }
-
   /// The cells of a chunk that have the same kind and number of vertices.
   struct Block {
-    CellBlock cells;                         // vertex numbers of the layout
+    CellBlock cells;
     std::span<const std::uint32_t> numbers;  // the mesh's numbers of these cells
     std::size_t first;                       // place of the first cell among all cells
   };
@@ -57,10 +52,9 @@ class Layout {
     std::size_t cells;
   };
 
-  void sort_cells(const Cells& cells, std::span<const Index> number);
+  void sort_cells(const Cells& cells, std::size_t points);
   void colour_chunks();
 
-  std::vector<Index> order_;
   std::vector<Index> corners_;
   std::vector<std::uint32_t> numbers_;
   std::vector<Run> runs_;

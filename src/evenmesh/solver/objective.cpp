@@ -49,21 +49,7 @@ void merge_rows(Workers& workers, SparseMatrix& matrix) {
 }  // namespace
 
 Objective::Objective(const Mesh& mesh, const Problem& problem)
-    : problem_(problem),
-      layout_(mesh.cells(), mesh.point_count()),
-      motion_(problem.motion.renumbered(layout_.order())) {}
-
-std::vector<Vec3> Objective::gather(Points of_mesh) const {
-  std::vector<Vec3> x(size());
-  for (std::size_t k = 0; k < x.size(); ++k) x[k] = of_mesh[layout_.order()[k]];
-  return x;
-}
-
-void Objective::scatter(Points of_layout, std::span<Vec3> of_mesh) const {
-  for (std::size_t k = 0; k < of_layout.size(); ++k) {
-    if (moves(motion_, static_cast<Index>(k))) of_mesh[layout_.order()[k]] = of_layout[k];
-  }
-}
+    : problem_(problem), layout_(mesh.cells(), mesh.point_count()), motion_(problem.motion) {}
 
 double Objective::evaluate(Workers& workers, Points x, std::span<Vec3> gradient) const {
   assert(x.size() == size() && (gradient.empty() || gradient.size() == size()));

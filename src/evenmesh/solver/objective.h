@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "evenmesh/base/parallel.h"
 #include "evenmesh/base/vec3.h"
@@ -13,20 +12,16 @@
 
 namespace evenmesh {
 
-/// A problem in the numbering of a layout: the function that drivers minimise.
+/// The function that drivers minimise: a problem's costs over a mesh's cells, laid out for speed.
 class Objective {
  public:
   /// The problem must outlive the objective.
   Objective(const Mesh& mesh, const Problem& problem);
 
   const Layout& layout() const { return layout_; }
-  std::size_t size() const { return layout_.size(); }
+  std::size_t size() const { return motion_.size(); }
   const Motion& motion() const { return motion_; }
   Motion& motion() { return motion_; }
-
-  /// The layout's vertices' positions out of the mesh's, and back.
-  std::vector<Vec3> gather(Points of_mesh) const;
-  void scatter(Points of_layout, std::span<Vec3> of_mesh) const;
 
   /// The weighted sum of the costs.
   /// @param[out] gradient  projected onto what each vertex may follow; or empty
@@ -39,7 +34,7 @@ class Objective {
  private:
   const Problem& problem_;
   Layout layout_;
-  Motion motion_;  // in the layout's numbering
+  Motion motion_;  // the problem's, less what was held on the way
 };
 
 }  // namespace evenmesh

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -15,6 +16,7 @@
 #include "evenmesh/solver/guard.h"
 #include "evenmesh/solver/multigrid.h"
 #include "evenmesh/solver/objective.h"
+#include "evenmesh/solver/reorder.h"
 
 namespace evenmesh {
 namespace {
@@ -42,27 +44,19 @@ void check(const Options& options) {
 std::vector<Vec3> minimise(Workers& workers, const Mesh& mesh, const Problem& problem,
                            const Options& options, Report& report) {
   const Timer setup;
+  const double cpu_before = cpu_seconds();
   Objective objective(mesh, problem);
-  std::vector<Vec3> x = objective.gather(mesh.points());
-  const Timer multigrid_setup;
-  Multigrid preconditioner(workers, objective.majoriser(workers, x));
-  report.multigrid_setup_seconds = multigrid_setup.seconds();
+  Multigrid preconditioner(workers, objective.majoriser(workers, mesh.points()));
   report.multigrid_levels = preconditioner.levels();
-  report.setup_seconds = setup.seconds();
+  report.setup_seconds += setup.seconds();
+  report.setup_cpu_seconds = cpu_seconds() - cpu_before;
 
   const Timer solve;
-  const Flips flips(objective.layout(), mesh, problem.orientation);
+  const Flips flips(objective.layout(), mesh.points(), problem.orientation);
+  std::vector<Vec3> x(mesh.points().begin(), mesh.points().end());
   descend(workers, objective, preconditioner, flips, options, x, report);
   report.solve_seconds = solve.seconds();
-
-  std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
-  objective.scatter(x, points);
-  return points;
-}
-
-double cost_at(Workers& workers, const Mesh& mesh, const Problem& problem, Points points) {
-  const Objective objective(mesh, problem);
-  return objective.evaluate(workers, objective.gather(points), {});
+  return x;
 }
 
 void count_moves(Points before, Points after, Report& report) {
@@ -77,12 +71,13 @@ void count_moves(Points before, Points after, Report& report) {
   if (report.moved > 0) report.mean_move = sum / static_cast<double>(report.moved);
 }
 
-}  // namespace
+double cost_at(Workers& workers, const Mesh& mesh, const Problem& problem, Points points) {
+  return Objective(mesh, problem).evaluate(workers, points, {});
+}
 
-Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
-  check(options);
-  assert(problem.motion.size() == mesh.point_count());
-  Workers workers(options.threads);
+// smooth() for a mesh in good order.
+Report smooth_in_order(Workers& workers, Mesh& mesh, const Problem& problem,
+                       const Options& options) {
   Report report;
   report.vertices = mesh.point_count();
   report.movable = problem.motion.moving();
@@ -109,6 +104,29 @@ Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
   count_moves(mesh.points(), points, report);
   report.check_seconds += checking.seconds();
   mesh.set_points(std::move(points));
+  return report;
+}
+
+}  // namespace
+
+Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
+  check(options);
+  assert(problem.motion.size() == mesh.point_count());
+  Workers workers(options.threads);
+  const Timer ordering;
+  std::optional<Reordered> reordered = reorder_if_poor(mesh, problem);
+  if (!reordered) return smooth_in_order(workers, mesh, problem, options);
+
+  const double ordering_seconds = ordering.seconds();
+  Options inner = options;
+  if (options.representable) {
+    inner.representable = [&](Points points) {
+      return reordered->from_original(options.representable(reordered->to_original(points)));
+    };
+  }
+  Report report = smooth_in_order(workers, reordered->mesh, reordered->problem, inner);
+  report.setup_seconds += ordering_seconds;
+  mesh.set_points(reordered->to_original(reordered->mesh.points()));
   return report;
 }
 
