@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/base/parallel.h"
 
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace evenmesh {
 namespace {

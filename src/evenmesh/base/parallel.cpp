@@ -69,9 +69,8 @@ void Workers::take_tasks() {
 void for_ranges(Workers& workers, std::size_t n,
                 const std::function<void(std::size_t first, std::size_t last)>& body) {
   const std::size_t count = (n + kRangeSize - 1) / kRangeSize;
-  workers.run(count, [&](std::size_t i) {
-    body(i * kRangeSize, std::min(n, (i + 1) * kRangeSize));
-  });
+  workers.run(count,
+              [&](std::size_t i) { body(i * kRangeSize, std::min(n, (i + 1) * kRangeSize)); });
 }
 
 double sum_over_ranges(Workers& workers, std::size_t n,

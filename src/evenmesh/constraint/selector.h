@@ -23,7 +23,7 @@ namespace evenmesh {
 /// @return  one flag per vertex
 /// @throws InvalidOption  the text does not parse (the message shows where and what is known), or
 ///                        an id is not in the mesh.
-std::vector<char> select_vertices(std::string_view text, const Mesh& mesh,
-                                  const Topology& topology, Index first_id = 1);
+std::vector<char> select_vertices(std::string_view text, const Mesh& mesh, const Topology& topology,
+                                  Index first_id = 1);
 
 }  // namespace evenmesh

@@ -9,9 +9,9 @@ using Face = CellTraits::Face;
 using Corner = CellTraits::Corner;
 using Position = std::array<double, 3>;
 
-constexpr double kHalfRoot3 = 0.86602540378443864676;   // height of an equilateral triangle
-constexpr double kThirdHeight = 0.28867513459481288225; // its centre above the base, sqrt(3)/6
-constexpr double kTetHeight = 0.81649658092772603273;   // sqrt(2/3)
+constexpr double kHalfRoot3 = 0.86602540378443864676;    // height of an equilateral triangle
+constexpr double kThirdHeight = 0.28867513459481288225;  // its centre above the base, sqrt(3)/6
+constexpr double kTetHeight = 0.81649658092772603273;    // sqrt(2/3)
 constexpr double kPyramidHeight = 0.70710678118654752440;
 
 constexpr Edge kTriangleEdges[] = {{0, 1}, {1, 2}, {2, 0}};
@@ -19,15 +19,13 @@ constexpr Corner kTriangleCorners[] = {{0, {1, 2, 0}}, {1, {2, 0, 1}}, {2, {0, 1
 constexpr Position kTriangleIdeal[] = {{0, 0, 0}, {1, 0, 0}, {0.5, kHalfRoot3, 0}};
 
 constexpr Edge kQuadEdges[] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-constexpr Corner kQuadCorners[] = {
-    {0, {1, 3, 0}}, {1, {2, 0, 1}}, {2, {3, 1, 2}}, {3, {0, 2, 3}}};
+constexpr Corner kQuadCorners[] = {{0, {1, 3, 0}}, {1, {2, 0, 1}}, {2, {3, 1, 2}}, {3, {0, 2, 3}}};
 constexpr Position kQuadIdeal[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 constexpr Edge kTetEdges[] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 constexpr Face kTetFaces[] = {
     {3, {0, 2, 1, 0}}, {3, {0, 1, 3, 0}}, {3, {1, 2, 3, 0}}, {3, {0, 3, 2, 0}}};
-constexpr Corner kTetCorners[] = {
-    {0, {1, 2, 3}}, {1, {2, 0, 3}}, {2, {0, 1, 3}}, {3, {0, 2, 1}}};
+constexpr Corner kTetCorners[] = {{0, {1, 2, 3}}, {1, {2, 0, 3}}, {2, {0, 1, 3}}, {3, {0, 2, 1}}};
 constexpr Position kTetIdeal[] = {
     {0, 0, 0}, {1, 0, 0}, {0.5, kHalfRoot3, 0}, {0.5, kThirdHeight, kTetHeight}};
 
@@ -42,19 +40,16 @@ constexpr Position kHexIdeal[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
 
 constexpr Edge kWedgeEdges[] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5},
                                 {5, 3}, {0, 3}, {1, 4}, {2, 5}};
-constexpr Face kWedgeFaces[] = {{3, {0, 2, 1, 0}}, {3, {3, 4, 5, 0}}, {4, {0, 1, 4, 3}},
-                                {4, {1, 2, 5, 4}}, {4, {2, 0, 3, 5}}};
+constexpr Face kWedgeFaces[] = {
+    {3, {0, 2, 1, 0}}, {3, {3, 4, 5, 0}}, {4, {0, 1, 4, 3}}, {4, {1, 2, 5, 4}}, {4, {2, 0, 3, 5}}};
 constexpr Corner kWedgeCorners[] = {{0, {1, 2, 3}}, {1, {2, 0, 4}}, {2, {0, 1, 5}},
                                     {3, {5, 4, 0}}, {4, {3, 5, 1}}, {5, {4, 3, 2}}};
 constexpr Position kWedgeIdeal[] = {{0, 0, 0}, {1, 0, 0}, {0.5, kHalfRoot3, 0},
                                     {0, 0, 1}, {1, 0, 1}, {0.5, kHalfRoot3, 1}};
 
 constexpr Edge kPyramidEdges[] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}};
-constexpr Face kPyramidFaces[] = {{4, {0, 3, 2, 1}},
-                                  {3, {0, 1, 4, 0}},
-                                  {3, {1, 2, 4, 0}},
-                                  {3, {2, 3, 4, 0}},
-                                  {3, {3, 0, 4, 0}}};
+constexpr Face kPyramidFaces[] = {
+    {4, {0, 3, 2, 1}}, {3, {0, 1, 4, 0}}, {3, {1, 2, 4, 0}}, {3, {2, 3, 4, 0}}, {3, {3, 0, 4, 0}}};
 constexpr Corner kPyramidCorners[] = {
     {0, {1, 3, 4}}, {1, {2, 0, 4}}, {2, {3, 1, 4}}, {3, {0, 2, 4}}};
 constexpr Position kPyramidIdeal[] = {

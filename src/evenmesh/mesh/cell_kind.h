@@ -23,8 +23,8 @@ struct CellTraits {
     std::uint8_t a, b;
   };
   struct Face {
-    std::uint8_t count;                     // 3 or 4
-    std::array<std::uint8_t, 4> vertices;   // counter-clockwise seen from outside
+    std::uint8_t count;                    // 3 or 4
+    std::array<std::uint8_t, 4> vertices;  // counter-clockwise seen from outside
   };
   /// A vertex and the ends of the edges that leave it, right-handed in a cell that is not
   /// inverted: det(x_n0 - x_v, x_n1 - x_v, x_n2 - x_v) > 0. For surface cells only n0 (the next
@@ -34,11 +34,11 @@ struct CellTraits {
     std::array<std::uint8_t, 3> neighbours;
   };
 
-  std::string_view name;             // the word in reports and messages
-  int dimension;                     // 2: surface cell, 3: volume cell
-  int vertices;                      // 0: the cell says (polygon)
+  std::string_view name;  // the word in reports and messages
+  int dimension;          // 2: surface cell, 3: volume cell
+  int vertices;           // 0: the cell says (polygon)
   std::span<const Edge> edges;
-  std::span<const Face> faces;       // empty for surface cells
+  std::span<const Face> faces;  // empty for surface cells
   std::span<const Corner> corners;
   std::span<const std::array<double, 3>> ideal;  // positions of the ideal cell, all edges 1
 };

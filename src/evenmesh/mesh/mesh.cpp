@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/mesh/mesh.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cassert>
 #include <limits>
+
+#include <fmt/core.h>
 
 #include "evenmesh/base/error.h"
 
 namespace evenmesh {
 
 void Cells::add(CellKind kind, std::span<const Index> vertices, std::uint32_t group) {
-  assert(traits(kind).vertices == 0 ? vertices.size() >= 3
-                                    : vertices.size() == static_cast<std::size_t>(traits(kind).vertices));
+  assert(traits(kind).vertices == 0
+             ? vertices.size() >= 3
+             : vertices.size() == static_cast<std::size_t>(traits(kind).vertices));
   if (group != 0 && groups_.empty()) groups_.assign(kinds_.size(), 0);
   corners_.insert(corners_.end(), vertices.begin(), vertices.end());
   offsets_.push_back(corners_.size());
@@ -30,8 +31,8 @@ void Cells::reserve(std::size_t cells, std::size_t corners) {
 Mesh::Mesh(std::vector<Vec3> points, Cells cells)
     : points_(std::move(points)), cells_(std::make_shared<const Cells>(std::move(cells))) {
   if (points_.size() >= std::numeric_limits<Index>::max()) {
-    throw InvalidMesh(fmt::format("{} points are more than 32-bit vertex numbers can count",
-                                  points_.size()));
+    throw InvalidMesh(
+        fmt::format("{} points are more than 32-bit vertex numbers can count", points_.size()));
   }
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!points_[i].allFinite()) {
@@ -39,8 +40,8 @@ Mesh::Mesh(std::vector<Vec3> points, Cells cells)
     }
   }
   const auto corners = cells_->corners();
-  const auto bad = std::find_if(corners.begin(), corners.end(),
-                                [&](Index v) { return v >= points_.size(); });
+  const auto bad =
+      std::find_if(corners.begin(), corners.end(), [&](Index v) { return v >= points_.size(); });
   if (bad == corners.end()) return;
   const auto offsets = cells_->offsets();
   const auto corner = static_cast<Offset>(bad - corners.begin());

@@ -32,9 +32,9 @@ std::string_view name(MeshType type);
 ///   corner of it points against its own mean normal (a concave or bow-tie quad).
 struct Orientation {
   MeshType type = MeshType::surface;
-  Vec3 normal = Vec3::Zero();      // planar: the common unit normal; else zero
-  std::vector<std::int8_t> signs;  // per cell: -1 where wound against the majority; empty: all +1
-  std::vector<Vec3> normals;       // surface: per cell, unit or zero (no area); else empty
+  Vec3 normal = Vec3::Zero();        // planar: the common unit normal; else zero
+  std::vector<std::int8_t> signs;    // per cell: -1 where wound against the majority; empty: all +1
+  std::vector<Vec3> normals;         // surface: per cell, unit or zero (no area); else empty
   std::size_t against_majority = 0;  // cells wound against the majority of their piece
   bool orientable = true;            // false: some piece is like a Moebius strip
 

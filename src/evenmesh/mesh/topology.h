@@ -23,11 +23,11 @@ struct Topology {
   std::vector<char> corners;       // per vertex: where the curves above end, meet or turn sharply
   std::vector<char> used;          // per vertex: belongs to a cell
 
-  std::size_t boundary_sides = 0;      // edges (volume: faces) of each sort
+  std::size_t boundary_sides = 0;  // edges (volume: faces) of each sort
   std::size_t non_manifold_sides = 0;
   std::size_t feature_sides = 0;
   std::size_t interface_sides = 0;
-  std::size_t components = 0;          // pieces connected through shared vertices
+  std::size_t components = 0;  // pieces connected through shared vertices
 };
 
 struct TopologyOptions {

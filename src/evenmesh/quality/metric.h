@@ -27,9 +27,9 @@ inline constexpr std::array<Metric, kMetricCount> kMetrics = {
     Metric::shape,     Metric::scaled_jacobian, Metric::min_angle,
     Metric::max_angle, Metric::aspect_ratio,    Metric::edge_ratio};
 
-std::string_view name(Metric metric);         // the key in reports: "scaled_jacobian"
+std::string_view name(Metric metric);  // the key in reports: "scaled_jacobian"
 bool larger_is_better(Metric metric);
-bool applies(Metric metric, CellKind kind);   // volume cells have shape and scaled_jacobian
+bool applies(Metric metric, CellKind kind);  // volume cells have shape and scaled_jacobian
 
 /// True when a is a worse value of the metric than b. Never true for equal values; NaN is worse
 /// than every number.

@@ -27,10 +27,10 @@ struct CellQuality {
 struct Distribution {
   std::size_t count = 0;  // cells the metric applies to; all else is 0 when there are none
   double worst = 0.0;
-  double p1 = 0.0;      // 1 % of the cells are at most this good (nearest rank)
+  double p1 = 0.0;  // 1 % of the cells are at most this good (nearest rank)
   double p5 = 0.0;
   double median = 0.0;
-  double mean = 0.0;    // infinite as soon as one value is
+  double mean = 0.0;  // infinite as soon as one value is
   double best = 0.0;
 };
 

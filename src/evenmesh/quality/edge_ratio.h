@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "evenmesh/quality/surface_cell.h"
+
+namespace evenmesh {
+
+/// The longest side over the shortest. At least 1; infinite if a side has no length. Blind to
+/// orientation and to angles.
+/// @see  Stimpson et al., The Verdict library reference manual, 2007
+double edge_ratio(const SurfaceCell& cell);
+
+}  // namespace evenmesh
