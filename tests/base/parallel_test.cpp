@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/base/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <stdexcept>

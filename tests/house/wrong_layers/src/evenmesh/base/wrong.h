@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+#include "evenmesh/cost/wrong.h"
