@@ -62,7 +62,7 @@ std::vector<std::shared_ptr<const Cost>> costs(Scaling scaling) {
 }
 
 double value(const Cost& cost, const Sample& sample, Points x) {
-  return cost.evaluate(sample.block(), x, {});
+  return cost.evaluate(sample.block(), x, 1.0, {});
 }
 
 class EveryCost : public testing::TestWithParam<std::tuple<Scaling, int>> {
@@ -80,7 +80,7 @@ class EveryCost : public testing::TestWithParam<std::tuple<Scaling, int>> {
 TEST_P(EveryCost, HasTheGradientOfItsValue) {
   for (const Sample& sample : samples(0.2)) {
     std::vector<Vec3> gradient(sample.points.size(), Vec3::Zero());
-    cost().evaluate(sample.block(), sample.points, gradient);
+    cost().evaluate(sample.block(), sample.points, 1.0, gradient);
     std::vector<Vec3> x = sample.points;
     for (std::size_t v = 0; v < x.size(); ++v) {
       for (int axis = 0; axis < 3; ++axis) {
@@ -101,17 +101,29 @@ TEST_P(EveryCost, HasTheGradientOfItsValue) {
 TEST_P(EveryCost, GivesTheSameValueWithAndWithoutGradient) {
   for (const Sample& sample : samples(0.2)) {
     std::vector<Vec3> gradient(sample.points.size(), Vec3::Zero());
-    EXPECT_EQ(cost().evaluate(sample.block(), sample.points, gradient),
+    EXPECT_EQ(cost().evaluate(sample.block(), sample.points, 1.0, gradient),
               value(cost(), sample, sample.points));
+  }
+}
+
+TEST_P(EveryCost, ScalesValueAndGradientByTheWeight) {
+  for (const Sample& sample : samples(0.2)) {
+    std::vector<Vec3> once(sample.points.size(), Vec3::Zero());
+    std::vector<Vec3> thrice(sample.points.size(), Vec3::Zero());
+    const double value = cost().evaluate(sample.block(), sample.points, 1.0, once);
+    EXPECT_NEAR(cost().evaluate(sample.block(), sample.points, 3.0, thrice), 3.0 * value, 1e-14);
+    for (std::size_t v = 0; v < once.size(); ++v) {
+      EXPECT_NEAR((thrice[v] - 3.0 * once[v]).norm(), 0, 1e-14);
+    }
   }
 }
 
 TEST_P(EveryCost, AddsToTheGradientItIsGiven) {
   const Sample sample = disturbed(CellKind::quad, 4, 0.2);
   std::vector<Vec3> once(4, Vec3::Zero());
-  cost().evaluate(sample.block(), sample.points, once);
+  cost().evaluate(sample.block(), sample.points, 1.0, once);
   std::vector<Vec3> onto(4, Vec3(1, 2, 3));
-  cost().evaluate(sample.block(), sample.points, onto);
+  cost().evaluate(sample.block(), sample.points, 1.0, onto);
   for (std::size_t v = 0; v < 4; ++v)
     EXPECT_NEAR((onto[v] - once[v] - Vec3(1, 2, 3)).norm(), 0, 1e-15);
 }
@@ -135,7 +147,7 @@ TEST_P(EveryCost, ScalesWithTheSquareOfLengthOrNotAtAll) {
     const double before = value(cost(), sample, sample.points);
     const auto scaling = std::get<0>(GetParam());
     const double after = cost().name() == "global"
-                             ? Global(s * 0.8, scaling).evaluate(sample.block(), scaled, {})
+                             ? Global(s * 0.8, scaling).evaluate(sample.block(), scaled, 1.0, {})
                              : value(cost(), sample, scaled);
     EXPECT_NEAR(after, scale_free() ? before : s * s * before, 1e-12 * (1 + after));
   }
@@ -145,7 +157,7 @@ TEST_P(EveryCost, StaysFiniteOnACollapsedCell) {
   for (Sample sample : samples(0.0)) {
     for (Vec3& p : sample.points) p = Vec3(1, 2, 3);
     std::vector<Vec3> gradient(sample.points.size(), Vec3::Zero());
-    EXPECT_TRUE(std::isfinite(cost().evaluate(sample.block(), sample.points, gradient)));
+    EXPECT_TRUE(std::isfinite(cost().evaluate(sample.block(), sample.points, 1.0, gradient)));
     for (const Vec3& g : gradient) EXPECT_TRUE(g.allFinite());
   }
 }
@@ -155,7 +167,7 @@ TEST_P(EveryCost, StaysFiniteOnACollapsedCell) {
 TEST_P(EveryCost, IsBoundedByItsSpringsNearIdealCells) {
   for (const Sample& sample : samples(0.0)) {
     std::vector<Vec3> gradient(sample.points.size(), Vec3::Zero());
-    const double before = cost().evaluate(sample.block(), sample.points, gradient);
+    const double before = cost().evaluate(sample.block(), sample.points, 1.0, gradient);
     std::vector<Spring> springs;
     cost().add_springs(sample.block(), sample.points, springs);
     if (cost().name() == "global" && sample.kind == CellKind::polygon) continue;  // compressed
@@ -195,18 +207,18 @@ TEST(Local, MatchesAHandComputedValue) {
   const std::vector<Vec3> x{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
   const std::vector<Index> cell{0, 1, 2};
   const CellBlock block{CellKind::triangle, 3, cell};
-  EXPECT_DOUBLE_EQ(Local().evaluate(block, x, {}), 2.0);
-  EXPECT_DOUBLE_EQ(Local(Scaling::scale_free).evaluate(block, x, {}), 2.0 / 16.0);
+  EXPECT_DOUBLE_EQ(Local().evaluate(block, x, 1.0, {}), 2.0);
+  EXPECT_DOUBLE_EQ(Local(Scaling::scale_free).evaluate(block, x, 1.0, {}), 2.0 / 16.0);
 }
 
 TEST(Global, MatchesAHandComputedValue) {
   const std::vector<Vec3> x{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
   const std::vector<Index> cell{0, 1, 2};
   const CellBlock block{CellKind::triangle, 3, cell};
-  EXPECT_DOUBLE_EQ(Global(3.0).evaluate(block, x, {}), 4.0 + 1.0);
+  EXPECT_DOUBLE_EQ(Global(3.0).evaluate(block, x, 1.0, {}), 4.0 + 1.0);
   // The leg of length 4 pulls vertex 2 down with 2 (4 - 3), the hypotenuse with 2 (5 - 3) along it.
   std::vector<Vec3> gradient(3, Vec3::Zero());
-  Global(3.0).evaluate(block, x, gradient);
+  Global(3.0).evaluate(block, x, 1.0, gradient);
   EXPECT_NEAR((gradient[2] - (2.0 * Vec3(0, 1, 0) + 4.0 * Vec3(-0.6, 0.8, 0))).norm(), 0, 1e-15);
 }
 
@@ -221,19 +233,19 @@ TEST(Barycenter, MatchesAHandComputedValue) {
   // Diagonals 5 and 2.
   const std::vector<Vec3> x{{0, 0, 0}, {2, -1, 0}, {5, 0, 0}, {2, 1, 0}};
   const std::vector<Index> cell{0, 1, 2, 3};
-  EXPECT_DOUBLE_EQ(Barycenter().evaluate({CellKind::quad, 4, cell}, x, {}), 9.0);
-  EXPECT_DOUBLE_EQ(Barycenter(Scaling::scale_free).evaluate({CellKind::quad, 4, cell}, x, {}),
+  EXPECT_DOUBLE_EQ(Barycenter().evaluate({CellKind::quad, 4, cell}, x, 1.0, {}), 9.0);
+  EXPECT_DOUBLE_EQ(Barycenter(Scaling::scale_free).evaluate({CellKind::quad, 4, cell}, x, 1.0, {}),
                    9.0 / (3.5 * 3.5));
 }
 
 TEST(Barycenter, IsZeroOnTrianglesRectanglesAndRegularPolygons) {
   const std::vector<Vec3> x{{0, 0, 0}, {7, 0, 0}, {7, 2, 0}, {0, 2, 0}};
   const std::vector<Index> cell{0, 1, 2, 3};
-  EXPECT_DOUBLE_EQ(Barycenter().evaluate({CellKind::quad, 4, cell}, x, {}), 0.0);
-  EXPECT_DOUBLE_EQ(Barycenter().evaluate({CellKind::triangle, 3, std::span(cell).first(3)}, x, {}),
-                   0.0);
+  EXPECT_DOUBLE_EQ(Barycenter().evaluate({CellKind::quad, 4, cell}, x, 1.0, {}), 0.0);
+  EXPECT_DOUBLE_EQ(
+      Barycenter().evaluate({CellKind::triangle, 3, std::span(cell).first(3)}, x, 1.0, {}), 0.0);
   const Sample hexagon = disturbed(CellKind::polygon, 6, 0.0);
-  EXPECT_NEAR(Barycenter().evaluate(hexagon.block(), hexagon.points, {}), 0.0, 1e-18);
+  EXPECT_NEAR(Barycenter().evaluate(hexagon.block(), hexagon.points, 1.0, {}), 0.0, 1e-18);
 }
 
 TEST(MeanEdgeLength, CountsAnEdgeInEveryCellThatHasIt) {

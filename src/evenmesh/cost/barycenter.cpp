@@ -17,7 +17,8 @@ double spread_of(Scaling scaling, std::span<const double> values, std::span<doub
 }
 
 // (d_1 - d_2)^2 is twice the spread of the two, and likewise relative to their mean.
-double evaluate_quads(const CellBlock& cells, Points x, std::span<Vec3> gradient, Scaling scaling) {
+double evaluate_quads(const CellBlock& cells, Points x, double weight, std::span<Vec3> gradient,
+                      Scaling scaling) {
   double sum = 0.0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto q = cells.cell(i);
@@ -28,17 +29,17 @@ double evaluate_quads(const CellBlock& cells, Points x, std::span<Vec3> gradient
     sum += 2.0 * spread_of(scaling, length, slope);
 
     if (gradient.empty()) continue;
-    const Vec3 pull_first = (2.0 * slope[0] / std::max(length[0], kShortest)) * first;
-    const Vec3 pull_second = (2.0 * slope[1] / std::max(length[1], kShortest)) * second;
+    const Vec3 pull_first = (2.0 * weight * slope[0] / std::max(length[0], kShortest)) * first;
+    const Vec3 pull_second = (2.0 * weight * slope[1] / std::max(length[1], kShortest)) * second;
     gradient[q[0]] -= pull_first;
     gradient[q[2]] += pull_first;
     gradient[q[1]] -= pull_second;
     gradient[q[3]] += pull_second;
   }
-  return sum;
+  return weight * sum;
 }
 
-double evaluate_others(const CellBlock& cells, Points x, std::span<Vec3> gradient,
+double evaluate_others(const CellBlock& cells, Points x, double weight, std::span<Vec3> gradient,
                        Scaling scaling) {
   const auto count = static_cast<std::size_t>(cells.vertices_per_cell);
   std::vector<Vec3> radius(count);
@@ -60,13 +61,13 @@ double evaluate_others(const CellBlock& cells, Points x, std::span<Vec3> gradien
     // Moving a vertex moves the centroid by 1/count of that, and with it every radius.
     Vec3 mean_pull = Vec3::Zero();
     for (std::size_t k = 0; k < count; ++k) {
-      radius[k] *= slope[k] / std::max(length[k], kShortest);
+      radius[k] *= weight * slope[k] / std::max(length[k], kShortest);
       mean_pull += radius[k];
     }
     mean_pull /= static_cast<double>(count);
     for (std::size_t k = 0; k < count; ++k) gradient[cell[k]] += radius[k] - mean_pull;
   }
-  return sum;
+  return weight * sum;
 }
 
 double relative_weight(Scaling scaling, std::span<const double> lengths) {
@@ -79,10 +80,11 @@ double relative_weight(Scaling scaling, std::span<const double> lengths) {
 
 }  // namespace
 
-double Barycenter::evaluate(const CellBlock& cells, Points x, std::span<Vec3> gradient) const {
+double Barycenter::evaluate(const CellBlock& cells, Points x, double weight,
+                            std::span<Vec3> gradient) const {
   if (cells.kind == CellKind::triangle) return 0.0;
-  if (cells.kind == CellKind::quad) return evaluate_quads(cells, x, gradient, scaling_);
-  return evaluate_others(cells, x, gradient, scaling_);
+  if (cells.kind == CellKind::quad) return evaluate_quads(cells, x, weight, gradient, scaling_);
+  return evaluate_others(cells, x, weight, gradient, scaling_);
 }
 
 // With r_k and directions d_k held, sum_k |r_k - m d_k|^2 bounds the spread of the radii from

@@ -21,7 +21,8 @@ class Barycenter final : public Cost {
   explicit Barycenter(Scaling scaling = Scaling::absolute) : scaling_(scaling) {}
 
   std::string_view name() const override { return "barycenter"; }
-  double evaluate(const CellBlock& cells, Points x, std::span<Vec3> gradient) const override;
+  double evaluate(const CellBlock& cells, Points x, double weight,
+                  std::span<Vec3> gradient) const override;
   void add_springs(const CellBlock& cells, Points x, std::vector<Spring>& springs) const override;
   bool can_collapse() const override { return scaling_ == Scaling::absolute; }
 

@@ -43,12 +43,14 @@ class Cost {
   /// The word for it everywhere: command line, reports, messages.
   virtual std::string_view name() const = 0;
 
-  /// Sum of the cost over a block of cells.
+  /// The weight times the sum of the cost over a block of cells.
   /// @param x         positions of all vertices, mesh length unit
-  /// @param gradient  one vector per vertex, to which the derivative of the sum with respect to
-  ///                  that vertex is added; empty: only the value is wanted
+  /// @param weight    factor of value and derivative alike
+  /// @param gradient  one vector per vertex, to which the derivative of the returned value with
+  ///                  respect to that vertex is added; empty: only the value is wanted
   /// @return          finite wherever all x are (short of overflow)
-  virtual double evaluate(const CellBlock& cells, Points x, std::span<Vec3> gradient) const = 0;
+  virtual double evaluate(const CellBlock& cells, Points x, double weight,
+                          std::span<Vec3> gradient) const = 0;
 
   /// Appends springs whose energy curves at least as strongly as the cost does near good cells:
   /// the quadratic model the solver preconditions with. It decides how fast, never where to, the

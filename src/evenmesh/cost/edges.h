@@ -27,7 +27,7 @@ inline constexpr double kShortestEdge = 1e-150;
 
 // Triangles and quads, by far the most: the number of edges is known to the compiler.
 template <std::size_t Count, typename Function>
-double sum_over_rings(const CellBlock& cells, Points x, std::span<Vec3> gradient,
+double sum_over_rings(const CellBlock& cells, Points x, double weight, std::span<Vec3> gradient,
                       const Function& function) {
   double sum = 0.0;
   const Index* const end = cells.vertices.data() + cells.vertices.size();
@@ -43,17 +43,17 @@ double sum_over_rings(const CellBlock& cells, Points x, std::span<Vec3> gradient
 
     if (gradient.empty()) continue;
     for (std::size_t j = 0; j < Count; ++j) {
-      side[j] *= slope[j] / std::max(length[j], kShortestEdge);
+      side[j] *= weight * slope[j] / std::max(length[j], kShortestEdge);
     }
     for (std::size_t j = 0; j < Count; ++j) {
       gradient[cell[j]] += side[j == 0 ? Count - 1 : j - 1] - side[j];
     }
   }
-  return sum;
+  return weight * sum;
 }
 
 template <typename Function>
-double sum_over_cells(const CellBlock& cells, Points x, std::span<Vec3> gradient,
+double sum_over_cells(const CellBlock& cells, Points x, double weight, std::span<Vec3> gradient,
                       const Function& function) {
   const std::vector<LocalEdge> edges = local_edges(cells);
   std::vector<double> length(edges.size());
@@ -70,28 +70,29 @@ double sum_over_cells(const CellBlock& cells, Points x, std::span<Vec3> gradient
     for (std::size_t j = 0; j < edges.size(); ++j) {
       const Index a = cell[edges[j].a];
       const Index b = cell[edges[j].b];
-      const Vec3 pull = (slope[j] / std::max(length[j], kShortestEdge)) * (x[b] - x[a]);
+      const Vec3 pull = (weight * slope[j] / std::max(length[j], kShortestEdge)) * (x[b] - x[a]);
       gradient[a] -= pull;
       gradient[b] += pull;
     }
   }
-  return sum;
+  return weight * sum;
 }
 
 }  // namespace detail
 
-/// Sum over a block's cells of a function of the cell's edge lengths.
-/// @param gradient  as in Cost::evaluate
+/// The weight times the sum over a block's cells of a function of the cell's edge lengths.
+/// @param weight, gradient  as in Cost::evaluate
 /// @param function  value = function(lengths, slopes): gets the lengths of the cell's edges in
 ///                  the order of its kind, and fills in the derivative with respect to each
 template <typename Function>
-double sum_over_edge_lengths(const CellBlock& cells, Points x, std::span<Vec3> gradient,
-                             const Function& function) {
+double sum_over_edge_lengths(const CellBlock& cells, Points x, double weight,
+                             std::span<Vec3> gradient, const Function& function) {
   if (cells.kind == CellKind::triangle) {
-    return detail::sum_over_rings<3>(cells, x, gradient, function);
+    return detail::sum_over_rings<3>(cells, x, weight, gradient, function);
   }
-  if (cells.kind == CellKind::quad) return detail::sum_over_rings<4>(cells, x, gradient, function);
-  return detail::sum_over_cells(cells, x, gradient, function);
+  if (cells.kind == CellKind::quad)
+    return detail::sum_over_rings<4>(cells, x, weight, gradient, function);
+  return detail::sum_over_cells(cells, x, weight, gradient, function);
 }
 
 }  // namespace evenmesh

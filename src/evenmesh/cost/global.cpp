@@ -7,6 +7,7 @@
 
 #include "evenmesh/base/error.h"
 #include "evenmesh/cost/edges.h"
+#include "evenmesh/geometry/area.h"
 #include "evenmesh/mesh/measure.h"
 
 namespace evenmesh {
@@ -19,8 +20,9 @@ Global::Global(double length, Scaling scaling)
   }
 }
 
-double Global::evaluate(const CellBlock& cells, Points x, std::span<Vec3> gradient) const {
-  return sum_over_edge_lengths(cells, x, gradient, [this](auto lengths, auto slopes) {
+double Global::evaluate(const CellBlock& cells, Points x, double weight,
+                        std::span<Vec3> gradient) const {
+  return sum_over_edge_lengths(cells, x, weight, gradient, [this](auto lengths, auto slopes) {
     double sum = 0.0;
     for (std::size_t j = 0; j < lengths.size(); ++j) {
       const double excess = lengths[j] - length_;

@@ -25,7 +25,8 @@ class Global final : public Cost {
   explicit Global(double length, Scaling scaling = Scaling::absolute);
 
   std::string_view name() const override { return "global"; }
-  double evaluate(const CellBlock& cells, Points x, std::span<Vec3> gradient) const override;
+  double evaluate(const CellBlock& cells, Points x, double weight,
+                  std::span<Vec3> gradient) const override;
   void add_springs(const CellBlock& cells, Points x, std::vector<Spring>& springs) const override;
   double length() const { return length_; }
 

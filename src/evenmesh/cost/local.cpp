@@ -6,13 +6,14 @@
 
 namespace evenmesh {
 
-double Local::evaluate(const CellBlock& cells, Points x, std::span<Vec3> gradient) const {
+double Local::evaluate(const CellBlock& cells, Points x, double weight,
+                       std::span<Vec3> gradient) const {
   if (scaling_ == Scaling::scale_free) {
-    return sum_over_edge_lengths(cells, x, gradient, [](auto lengths, auto slopes) {
+    return sum_over_edge_lengths(cells, x, weight, gradient, [](auto lengths, auto slopes) {
       return relative_spread(lengths, slopes);
     });
   }
-  return sum_over_edge_lengths(cells, x, gradient,
+  return sum_over_edge_lengths(cells, x, weight, gradient,
                                [](auto lengths, auto slopes) { return spread(lengths, slopes); });
 }
 

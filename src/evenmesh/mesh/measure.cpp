@@ -6,14 +6,6 @@
 
 namespace evenmesh {
 
-Vec3 area_vector(std::span<const Vec3> corners) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    sum += (corners[i - 1] - corners[0]).cross(corners[i] - corners[0]);
-  }
-  return 0.5 * sum;
-}
-
 double cell_volume(CellKind kind, std::span<const Vec3> corners) {
   // The divergence theorem: a sixth of the determinants over the triangles of all faces, measured
   // from a corner so that cells far from the origin lose no digits.

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "evenmesh/io/format.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "evenmesh/io/obj.h"
+#include "evenmesh/io/stl_ascii.h"
+#include "evenmesh/io/stl_binary.h"
+#include "evenmesh/io/text_scan.h"
+
+namespace evenmesh {
+namespace {
+
+/// So much of a file is looked at to see whether it is text, and to find its first words.
+constexpr std::size_t kLookAt = 4096;
+
+constexpr std::string_view kReads = "evenmesh reads OBJ and STL (ASCII and binary) today";
+
+/// How a file of a format begins that is known but not read. Case does not matter.
+struct Signature {
+  std::string_view begin;
+  std::string_view what;
+};
+constexpr std::array kSignatures{
+    Signature{"$meshformat", "a Gmsh mesh (.msh)"},
+    Signature{"$comments", "a Gmsh mesh (.msh)"},
+    Signature{"$nod\n", "a Gmsh mesh (.msh, version 1)"},
+    Signature{"# vtk datafile", "a legacy VTK file (.vtk)"},
+    Signature{"<?xml", "an XML file, perhaps VTK (.vtu, .vtp)"},
+    Signature{"<vtkfile", "a VTK file (.vtu, .vtp)"},
+    Signature{"ply\n", "a PLY file (.ply)"},
+    Signature{"ply\r", "a PLY file (.ply)"},
+    Signature{"off\n", "an OFF file (.off)"},
+    Signature{"off\r", "an OFF file (.off)"},
+    Signature{"off ", "an OFF file (.off)"},
+    Signature{"meshversionformatted", "a MEDIT mesh (.mesh)"},
+    Signature{"mfem ", "an MFEM mesh (.mesh)"},
+    Signature{"*heading", "an Abaqus or CalculiX deck (.inp)"},
+    Signature{"*node", "an Abaqus or CalculiX deck (.inp)"},
+    Signature{"*part", "an Abaqus or CalculiX deck (.inp)"},
+    Signature{"**", "an Abaqus or CalculiX deck (.inp)"},
+    Signature{"ndime", "an SU2 mesh (.su2)"},
+    Signature{"foamfile", "an OpenFOAM file"},
+    Signature{"\x1f\x8b", "compressed (gzip); unpack it with gunzip first"},
+    Signature{"BZh", "compressed (bzip2); unpack it with bunzip2 first"},
+    Signature{"\xfd"
+              "7zXZ",
+              "compressed (xz); unpack it with unxz first"},
+    Signature{"PK\x03\x04", "a zip archive, perhaps 3MF; unpack it first"},
+    Signature{"\x89HDF", "an HDF5 file (Exodus, MED, CGNS)"},
+    Signature{"CDF\x01", "a netCDF file (Exodus)"},
+    Signature{"CDF\x02", "a netCDF file (Exodus)"},
+    Signature{"glTF", "a glTF file (.glb)"},
+    Signature{"Kaydara FBX", "an FBX file (.fbx)"},
+};
+
+/// Suffixes of formats whose content has no reliable beginning.
+constexpr std::array kSuffixes{
+    Signature{".msh", "a .msh file"},    Signature{".vtk", "a VTK file"},
+    Signature{".vtu", "a VTK file"},     Signature{".ply", "a PLY file"},
+    Signature{".off", "an OFF file"},    Signature{".inp", "an Abaqus deck or AVS UCD file"},
+    Signature{".bdf", "a Nastran deck"}, Signature{".dat", "a .dat file"},
+    Signature{".mesh", "a .mesh file"},  Signature{".su2", "an SU2 mesh"},
+    Signature{".ugrid", "a UGRID file"}, Signature{".cgns", "a CGNS file"},
+    Signature{".exo", "an Exodus file"}, Signature{".e", "an Exodus file"},
+    Signature{".med", "a MED file"},     Signature{".k", "an LS-DYNA deck"},
+};
+
+constexpr std::array<std::string_view, 33> kObjKeywords{
+    "v",     "vt",    "vn",     "vp",     "f",      "fo",        "l",      "p",   "o",
+    "g",     "s",     "usemtl", "mtllib", "usemap", "maplib",    "cstype", "deg", "curv",
+    "curv2", "surf",  "parm",   "trim",   "hole",   "scrv",      "sp",     "end", "con",
+    "mg",    "bevel", "lod",    "bmat",   "step",   "shadow_obj"};
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool equal_but_for_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
+}
+
+bool begins(std::string_view text, std::string_view word) {
+  return equal_but_for_case(text.substr(0, word.size()), word);
+}
+
+std::string suffix_of(const InputFile& input) {
+  std::string suffix = std::filesystem::path(input.name()).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(), lower);
+  return suffix;
+}
+
+/// What a text editor would show as text, whatever its character set.
+bool is_text(std::string_view bytes) {
+  constexpr char kDosEndOfFile = '\x1a';
+  return std::all_of(bytes.begin(), bytes.end(), [](char c) {
+    return static_cast<unsigned char>(c) >= ' ' || is_blank(c) || is_eol(c) || c == kDosEndOfFile;
+  });
+}
+
+/// Goes through the words of a text.
+class Words {
+ public:
+  explicit Words(std::string_view text) : text_(text) {}
+
+  /// The next word; empty at the end.
+  std::string_view next() {
+    while (!text_.empty() && (is_blank(text_[0]) || is_eol(text_[0]))) text_.remove_prefix(1);
+    std::size_t length = 0;
+    while (length < text_.size() && !is_blank(text_[length]) && !is_eol(text_[length])) ++length;
+    const std::string_view word = text_.substr(0, length);
+    text_.remove_prefix(length);
+    return word;
+  }
+  void skip_line() {
+    while (!text_.empty() && !is_eol(text_[0])) text_.remove_prefix(1);
+  }
+
+ private:
+  std::string_view text_;
+};
+
+/// "solid", a name, and then nothing else than what follows in an ASCII STL. The header of a binary
+/// STL may begin with "solid" too.
+bool looks_like_ascii_stl(std::string_view text) {
+  Words words(text);
+  if (!equal_but_for_case(words.next(), "solid")) return false;
+  words.skip_line();
+  const std::string_view word = words.next();
+  return word.empty() || begins("facet", word) || begins("endsolid", word) || begins("solid", word);
+}
+
+/// The first statement that is no comment is one of OBJ's.
+bool looks_like_obj(std::string_view text) {
+  Words words(text);
+  for (;;) {
+    const std::string_view word = words.next();
+    if (!word.starts_with('#')) {
+      return std::find(kObjKeywords.begin(), kObjKeywords.end(), word) != kObjKeywords.end();
+    }
+    words.skip_line();
+  }
+}
+
+[[noreturn]] void refuse(const InputFile& input, std::string_view what) {
+  input.fail(fmt::format("is {}; {}", what, kReads));
+}
+
+}  // namespace
+
+Format find_format(const InputFile& input) {
+  const std::string_view bytes = input.bytes();
+  std::string_view begin = bytes.substr(0, kLookAt);
+  const std::string suffix = suffix_of(input);
+
+  if (begin.starts_with("\xFE\xFF") || begin.starts_with("\xFF\xFE")) {
+    refuse(input, "text in UTF-16; save it as UTF-8");
+  }
+  if (begin.starts_with("\xEF\xBB\xBF")) begin.remove_prefix(3);
+  const bool text = is_text(begin);
+  if (text && looks_like_ascii_stl(begin)) return Format::stl_ascii;
+  if (has_binary_stl_size(bytes)) return Format::stl_binary;
+
+  for (const Signature& known : kSignatures) {
+    if (begins(begin, known.begin)) refuse(input, known.what);
+  }
+  if (!text) {
+    if (suffix == ".stl") return Format::stl_binary;
+    for (const Signature& known : kSuffixes) {
+      if (suffix == known.begin) refuse(input, known.what);
+    }
+    refuse(input, "binary data in no format known here");
+  }
+  if (looks_like_obj(begin) || suffix == ".obj") return Format::obj;
+  if (suffix == ".stl") {
+    input.fail(bytes.size() < kBinaryStlHeader
+                   ? "is neither an ASCII STL, which begins with 'solid', nor long enough for a "
+                     "binary one"
+                   : "is neither an ASCII STL, which begins with 'solid', nor has it the size that "
+                     "a binary one with its number of facets has; export it again");
+  }
+  for (const Signature& known : kSuffixes) {
+    if (suffix == known.begin) refuse(input, known.what);
+  }
+  refuse(input, "in no format known here");
+}
+
+MeshFile read_as(Format format, std::shared_ptr<const InputFile> input,
+                 const ReadOptions& options) {
+  switch (format) {
+    case Format::obj:
+      return read_obj(std::move(input));
+    case Format::stl_ascii:
+      return read_stl_ascii(std::move(input), options);
+    case Format::stl_binary:
+      break;
+  }
+  return read_stl_binary(std::move(input), options);
+}
+
+MeshFile read_mesh(std::shared_ptr<const InputFile> input, const ReadOptions& options) {
+  const Format format = find_format(*input);
+  return read_as(format, std::move(input), options);
+}
+
+}  // namespace evenmesh

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "evenmesh/io/input_file.h"
+#include "evenmesh/io/mesh_file.h"
+
+namespace evenmesh {
+
+enum class Format : std::uint8_t { obj, stl_ascii, stl_binary };
+
+/// The format of a file, from its content; the suffix of its name decides only where the content
+/// leaves it open.
+/// @throws IoError  a format that is not read, or no mesh at all; the message says what it is and
+///                  which formats are read
+Format find_format(const InputFile& input);
+
+/// Reads a file of a known format.
+/// @throws IoError  see read_mesh()
+MeshFile read_as(Format format, std::shared_ptr<const InputFile> input, const ReadOptions& options);
+
+/// find_format(), then read_as(): read_mesh() for bytes that are in memory already.
+MeshFile read_mesh(std::shared_ptr<const InputFile> input, const ReadOptions& options = {});
+
+}  // namespace evenmesh

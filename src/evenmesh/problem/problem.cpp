@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "evenmesh/problem/problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "evenmesh/base/error.h"
+#include "evenmesh/cost/barycenter.h"
+#include "evenmesh/cost/global.h"
+#include "evenmesh/cost/local.h"
+#include "evenmesh/geometry/area.h"
+#include "evenmesh/mesh/measure.h"
+
+namespace evenmesh {
+namespace {
+
+// What a cost may want to know about the mesh when it is made.
+struct Setting {
+  const Mesh& mesh;
+  const Orientation& orientation;
+  const ProblemOptions& options;
+};
+
+// At least one planar cell in a hundred turned over is a tangled mesh, whose edges are too long.
+double default_global_length(const Setting& in) {
+  const Cells& cells = in.mesh.cells();
+  std::size_t inverted = 0;
+  std::vector<Vec3> corners;
+  for (std::size_t c = 0; c < cells.size() && in.orientation.type != MeshType::surface; ++c) {
+    corners.clear();
+    for (const Index v : cells.vertices(c)) corners.push_back(in.mesh.points()[v]);
+    const double size = in.orientation.type == MeshType::planar
+                            ? area_vector(corners).dot(in.orientation.up(c))
+                            : in.orientation.sign(c) * cell_volume(cells.kind(c), corners);
+    if (size <= 0.0) ++inverted;
+  }
+  return inverted * 100 > cells.size() ? length_from_size(in.mesh, in.orientation.normal)
+                                       : mean_edge_length(in.mesh);
+}
+
+struct Registered {
+  const char* name;
+  std::shared_ptr<const Cost> (*make)(const Setting&);
+};
+
+// A new cost is one line here.
+constexpr Registered kCosts[] = {
+    {"local",
+     [](const Setting& in) -> std::shared_ptr<const Cost> {
+       return std::make_shared<Local>(in.options.scaling);
+     }},
+    {"global",
+     [](const Setting& in) -> std::shared_ptr<const Cost> {
+       const double given = in.options.global_length;
+       return std::make_shared<Global>(given != 0.0 ? given : default_global_length(in),
+                                       in.options.scaling);
+     }},
+    {"barycenter",
+     [](const Setting& in) -> std::shared_ptr<const Cost> {
+       return std::make_shared<Barycenter>(in.options.scaling);
+     }},
+};
+
+std::vector<CostChoice> default_costs(const Mesh& mesh) {
+  const auto kinds = mesh.cells().kinds();
+  const bool stiff = std::all_of(kinds.begin(), kinds.end(), [](CellKind kind) {
+    return kind == CellKind::triangle || kind == CellKind::tet;
+  });
+  if (stiff) return {{"local", 1.0}};
+  return {{"local", 0.3}, {"barycenter", 0.3}};
+}
+
+Term make_term(const CostChoice& choice, const Setting& setting) {
+  const auto known = std::find_if(std::begin(kCosts), std::end(kCosts),
+                                  [&](const Registered& r) { return r.name == choice.name; });
+  if (known == std::end(kCosts)) {
+    throw InvalidOption(fmt::format("there is no cost named '{}'; known are {}", choice.name,
+                                    fmt::join(cost_names(), ", ")));
+  }
+  if (!(choice.weight > 0.0) || !std::isfinite(choice.weight)) {
+    throw InvalidOption(fmt::format("the weight of the cost {} must be positive, not {}",
+                                    choice.name, choice.weight));
+  }
+  return {choice.weight, known->make(setting)};
+}
+
+// The representative of a vertex's connected piece, with the path to it halved on the way.
+Index find_root(std::vector<Index>& parent, Index v) {
+  while (parent[v] != v) v = parent[v] = parent[parent[v]];
+  return v;
+}
+
+}  // namespace
+
+std::vector<std::string> cost_names() {
+  std::vector<std::string> names;
+  for (const Registered& cost : kCosts) names.emplace_back(cost.name);
+  return names;
+}
+
+Problem make_problem(const Mesh& mesh, Orientation orientation, std::span<const char> fixed,
+                     const ProblemOptions& options) {
+  Problem problem;
+  problem.motion = Motion(mesh, orientation, fixed);
+  if (problem.motion.moving() > 0) {
+    const Setting setting{mesh, orientation, options};
+    const auto choices = options.costs.empty() ? default_costs(mesh) : options.costs;
+    for (const CostChoice& choice : choices) problem.terms.push_back(make_term(choice, setting));
+  }
+  problem.orientation = std::move(orientation);
+  check_for_collapse(mesh, problem);
+  return problem;
+}
+
+void check_for_collapse(const Mesh& mesh, const Problem& problem) {
+  const bool all_can = std::all_of(problem.terms.begin(), problem.terms.end(),
+                                   [](const Term& term) { return term.cost->can_collapse(); });
+  if (!all_can || problem.orientation.type == MeshType::surface) return;
+
+  std::vector<Index> parent(mesh.point_count());
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const Cells& cells = mesh.cells();
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const Index root = find_root(parent, cells.vertices(c)[0]);
+    for (const Index v : cells.vertices(c)) parent[find_root(parent, v)] = root;
+  }
+  constexpr Index kNone = ~Index{0};
+  std::vector<Index> anchor(mesh.point_count(), kNone);  // per piece: a fixed vertex
+  std::vector<char> held(mesh.point_count(), 0);         // per piece: two fixed places
+  for (const Index v : cells.corners()) {
+    if (problem.motion.freedom(v) != Motion::Freedom::fixed) continue;
+    const Index root = find_root(parent, v);
+    if (anchor[root] == kNone) anchor[root] = v;
+    if (mesh.points()[anchor[root]] != mesh.points()[v]) held[root] = 1;
+  }
+  for (const Index v : cells.corners()) {
+    if (held[find_root(parent, v)] || problem.motion.freedom(v) == Motion::Freedom::fixed) continue;
+    throw InvalidOption(fmt::format(
+        "nothing keeps the piece of the mesh around vertex {} from shrinking to a point: its "
+        "costs are least at size 0 and it has not two fixed vertices; fix some (--fix boundary), "
+        "add the cost global, or make the costs scale-free (--scale-free)",
+        v));
+  }
+}
+
+}  // namespace evenmesh

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "evenmesh/base/vec3.h"
+#include "evenmesh/constraint/motion.h"
+#include "evenmesh/cost/cost.h"
+#include "evenmesh/mesh/mesh.h"
+#include "evenmesh/mesh/orientation.h"
+
+namespace evenmesh {
+
+/// A cost and how much it counts. Weights are raw factors; they need not add up to 1.
+struct Term {
+  double weight = 1.0;  // > 0 and finite
+  std::shared_ptr<const Cost> cost;
+};
+
+/// What to minimise and what may move:  f(x) = sum over terms of weight * cost(x)  over the
+/// positions that `motion` allows.
+struct Problem {
+  std::vector<Term> terms;
+  Motion motion;
+  Orientation orientation;  // which way is up in the input; judges inverted cells
+};
+
+/// A cost by name with its weight, as in `--cost local=0.3,barycenter=0.3`.
+struct CostChoice {
+  std::string name;
+  double weight = 1.0;
+};
+
+struct ProblemOptions {
+  /// Costs and weights; empty: local=1 for triangles, and 0.3 barycenter beside 0.3 local as soon
+  /// as there are cells that edge lengths alone let shear (anything but triangles and tets).
+  std::vector<CostChoice> costs;
+  Scaling scaling = Scaling::absolute;
+  /// L of the cost global; 0: the mean edge length of the input, or, if cells are inverted there,
+  /// the length its area (or volume) has room for.
+  double global_length = 0.0;
+};
+
+/// The problem for a mesh in which the given vertices stay.
+/// @param fixed  per vertex: may not move
+/// @throws InvalidOption  an unknown cost (the message has the known ones), a weight that is not
+///                        positive and finite, or nothing keeps the mesh from collapsing.
+/// @pre  fixed has one entry per vertex
+Problem make_problem(const Mesh& mesh, Orientation orientation, std::span<const char> fixed,
+                     const ProblemOptions& options = {});
+
+/// The names make_problem() knows.
+std::vector<std::string> cost_names();
+
+/// Throws InvalidOption, with the remedy, if the costs are least when a piece of the mesh shrinks
+/// to a point: all of them can collapse, and the piece (not a surface, where tangent planes hold
+/// it) has not two fixed vertices at different places.
+void check_for_collapse(const Mesh& mesh, const Problem& problem);
+
+}  // namespace evenmesh

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "evenmesh/solver/guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "evenmesh/mesh/measure.h"
+
+namespace evenmesh {
+namespace {
+
+constexpr int kShape = static_cast<int>(Metric::shape);
+// The parts of their move that vertices are left with, one after the other.
+constexpr double kLeft[] = {1.0, 0.5, 0.25, 0.0};
+constexpr int kAllTheWay = 3;
+
+double mean_shape(const CellQuality& quality) {
+  double sum = 0.0;
+  for (const double value : quality.values[kShape]) sum += value;
+  return quality.values[kShape].empty() ? 0.0
+                                        : sum / static_cast<double>(quality.values[kShape].size());
+}
+
+}  // namespace
+
+Guard::Guard(Workers& workers, const Mesh& input, const Orientation& orientation)
+    : input_(input),
+      orientation_(orientation),
+      quality_(measure_cells(workers, input, input.points(), orientation)),
+      summary_(summarize(workers, quality_)) {}
+
+double Guard::least_corner_of(std::size_t cell, Points points) const {
+  const auto vertices = input_.cells().vertices(cell);
+  return least_corner(
+      input_.cells().kind(cell), static_cast<int>(vertices.size()),
+      [&](int i) -> const Vec3& { return points[vertices[i]]; }, orientation_.up(cell),
+      orientation_.sign(cell));
+}
+
+bool Guard::offends(const CellQuality& quality, std::size_t cell, Points points,
+                    Judge judge) const {
+  if (quality.inverted[cell]) {
+    if (!quality_.inverted[cell]) return true;
+    if (least_corner_of(cell, points) < least_corner_of(cell, input_.points())) return true;
+  }
+  if (judge == Judge::inversion) return false;
+  for (const Metric metric : kMetrics) {
+    const double value = quality.of(metric)[cell];
+    if (applies(metric, input_.cells().kind(cell)) &&
+        worse(metric, value, summary_.of(metric).worst)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string Guard::find_breach(Workers& workers, Points points, Judge judge) const {
+  const CellQuality quality = measure_cells(workers, input_, points, orientation_);
+  for (std::size_t cell = 0; cell < input_.cells().size(); ++cell) {
+    if (!offends(quality, cell, points, judge)) continue;
+    return quality.inverted[cell]
+               ? fmt::format("cell {} would be inverted or more so than before", cell)
+               : fmt::format("cell {} would be worse than the worst was before", cell);
+  }
+  if (judge == Judge::quality_and_inversion && mean_shape(quality) < mean_shape(quality_)) {
+    return "the mean of shape would be lower than before";
+  }
+  return {};
+}
+
+// Positions on their way back to the input, and the quality that goes with them.
+class Guard::Retreat {
+ public:
+  Retreat(Workers& workers, const Guard& guard, std::vector<Vec3>& points, Judge judge,
+          const Rounding& rounding)
+      : workers_(workers),
+        guard_(guard),
+        points_(points),
+        judge_(judge),
+        rounding_(rounding),
+        target_(points),
+        stage_(points.size(), 0),
+        marked_(points.size(), 0) {
+    round(points_);
+    quality_ = measure_cells(workers_, guard_.input_, points_, guard_.orientation_);
+  }
+
+  void run() {
+    while (true) {
+      while (mark_offenders()) retreat();
+      if (judge_ == Judge::inversion || mean_shape(quality_) >= mean_shape(guard_.quality_)) return;
+      if (!mark_where_shape_fell()) return;
+      retreat();
+    }
+  }
+
+  std::size_t pulled_back() const {
+    return static_cast<std::size_t>(
+        std::count_if(stage_.begin(), stage_.end(), [](char stage) { return stage > 0; }));
+  }
+  QualitySummary summary() const { return summarize(workers_, quality_); }
+
+ private:
+  const Cells& cells() const { return guard_.input_.cells(); }
+  bool may_go_back(Index v) const {
+    return stage_[v] < kAllTheWay && points_[v] != guard_.input_.points()[v];
+  }
+
+  void round(std::vector<Vec3>& points) const {
+    if (rounding_) points = rounding_(points);
+  }
+
+  bool mark_offenders() {
+    bool any = false;
+    for (std::size_t cell = 0; cell < cells().size(); ++cell) {
+      if (!guard_.offends(quality_, cell, points_, judge_)) continue;
+      for (const Index v : cells().vertices(cell)) {
+        if (!may_go_back(v)) continue;
+        marked_[v] = 1;
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  // Marks vertices whose incident cells together have less shape than in the input: the worst half
+  // of them, or if the loss lies only between them, the vertices of cells that lost.
+  bool mark_where_shape_fell() {
+    std::vector<double> change(points_.size(), 0.0);
+    for (std::size_t cell = 0; cell < cells().size(); ++cell) {
+      const double gain = quality_.values[kShape][cell] - guard_.quality_.values[kShape][cell];
+      for (const Index v : cells().vertices(cell)) change[v] += gain;
+    }
+    std::vector<double> losses;
+    for (std::size_t v = 0; v < change.size(); ++v) {
+      if (change[v] < 0.0 && may_go_back(static_cast<Index>(v))) losses.push_back(change[v]);
+    }
+    if (!losses.empty()) {
+      const auto middle = losses.begin() + static_cast<std::ptrdiff_t>(losses.size() / 2);
+      std::nth_element(losses.begin(), middle, losses.end());
+      for (std::size_t v = 0; v < change.size(); ++v) {
+        if (change[v] <= *middle && may_go_back(static_cast<Index>(v))) marked_[v] = 1;
+      }
+      return true;
+    }
+    bool any = false;
+    for (std::size_t cell = 0; cell < cells().size(); ++cell) {
+      if (quality_.values[kShape][cell] >= guard_.quality_.values[kShape][cell]) continue;
+      for (const Index v : cells().vertices(cell)) {
+        if (!may_go_back(v)) continue;
+        marked_[v] = 1;
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  // Takes the marked vertices one stage further back and measures again what that changes.
+  void retreat() {
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+      if (!marked_[v]) continue;
+      const double left = kLeft[static_cast<int>(++stage_[v])];
+      const Vec3& start = guard_.input_.points()[v];
+      points_[v] = left == 0.0 ? start : Vec3(start + left * (target_[v] - start));
+    }
+    round(points_);
+    Cells changed;
+    std::vector<std::size_t> numbers;
+    Orientation orientation;
+    orientation.type = guard_.orientation_.type;
+    orientation.normal = guard_.orientation_.normal;
+    for (std::size_t cell = 0; cell < cells().size(); ++cell) {
+      const auto vertices = cells().vertices(cell);
+      if (std::none_of(vertices.begin(), vertices.end(), [&](Index v) { return marked_[v]; })) {
+        continue;
+      }
+      changed.add(cells().kind(cell), vertices);
+      numbers.push_back(cell);
+      if (!guard_.orientation_.signs.empty()) {
+        orientation.signs.push_back(guard_.orientation_.signs[cell]);
+      }
+      if (!guard_.orientation_.normals.empty()) {
+        orientation.normals.push_back(guard_.orientation_.normals[cell]);
+      }
+    }
+    const Mesh part(points_, std::move(changed));
+    const CellQuality quality = measure_cells(workers_, part, points_, orientation);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      for (int m = 0; m < kMetricCount; ++m) quality_.values[m][numbers[i]] = quality.values[m][i];
+      quality_.inverted[numbers[i]] = quality.inverted[i];
+    }
+    std::fill(marked_.begin(), marked_.end(), 0);
+  }
+
+  Workers& workers_;
+  const Guard& guard_;
+  std::vector<Vec3>& points_;
+  Judge judge_;
+  const Rounding& rounding_;
+  const std::vector<Vec3> target_;  // where the solver wants the vertices
+  std::vector<char> stage_;         // per vertex: how far back it went, index into kLeft
+  std::vector<char> marked_;        // per vertex: to go back one more stage
+  CellQuality quality_;
+};
+
+Guard::Result Guard::enforce(Workers& workers, std::vector<Vec3>& points, Judge judge,
+                             const Rounding& rounding) const {
+  Retreat retreat(workers, *this, points, judge, rounding);
+  retreat.run();
+  Result result{.pulled_back = retreat.pulled_back(), .after = retreat.summary()};
+  const bool moved = !std::equal(points.begin(), points.end(), input_.points().begin());
+  if (judge == Judge::inversion) {
+    result.promise = Promise::lifted;
+  } else if (result.pulled_back > 0) {
+    result.promise = moved ? Promise::pulled_back : Promise::unimproved;
+  }
+  return result;
+}
+
+}  // namespace evenmesh

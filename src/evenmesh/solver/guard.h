@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "evenmesh/base/parallel.h"
+#include "evenmesh/base/vec3.h"
+#include "evenmesh/mesh/mesh.h"
+#include "evenmesh/mesh/orientation.h"
+#include "evenmesh/quality/quality.h"
+#include "evenmesh/solver/report.h"
+
+namespace evenmesh {
+
+/// Whether quality is part of what must not get worse, or inversion alone.
+enum class Judge { quality_and_inversion, inversion };
+
+/// The promise that nothing gets worse, for one input mesh:
+///
+/// - no cell is inverted that was not in the input, and none that was has a corner further over,
+/// - the worst value over the mesh of every metric is at least as good as in the input,
+/// - so is the mean of `shape`.
+class Guard {
+ public:
+  /// Measures the input. It and the orientation must outlive the guard.
+  Guard(Workers& workers, const Mesh& input, const Orientation& orientation);
+
+  const QualitySummary& before() const { return summary_; }
+
+  /// Looks for a breach in other positions of the same mesh.
+  /// @return  one sentence that names the first, or nothing
+  std::string find_breach(Workers& workers, Points points, Judge judge) const;
+
+  struct Result {
+    Promise promise = Promise::kept;
+    std::size_t pulled_back = 0;
+    QualitySummary after;
+  };
+
+  /// What a file can hold of positions (identity if empty).
+  using Rounding = std::function<std::vector<Vec3>(Points)>;
+
+  /// Changes positions until they keep the promise: vertices of offending cells go back half the
+  /// way to where they were, then three quarters, then all of it. A vertex that is all the way back
+  /// has the bits of the input, and a cell all of whose vertices are back cannot offend, so this
+  /// ends. With a mean that fell, vertices around which `shape` fell go back the same way.
+  /// @param points  replaced by the positions that keep the promise, rounded
+  Result enforce(Workers& workers, std::vector<Vec3>& points, Judge judge,
+                 const Rounding& rounding = {}) const;
+
+ private:
+  class Retreat;
+
+  bool offends(const CellQuality& quality, std::size_t cell, Points points, Judge judge) const;
+  double least_corner_of(std::size_t cell, Points points) const;
+
+  const Mesh& input_;
+  const Orientation& orientation_;
+  CellQuality quality_;
+  QualitySummary summary_;
+};
+
+}  // namespace evenmesh

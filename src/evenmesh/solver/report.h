@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "evenmesh/quality/quality.h"
+
+namespace evenmesh {
+
+/// Why the solver stopped.
+enum class Stop : std::uint8_t {
+  converged,        // the gradient fell below the tolerance
+  iteration_limit,  // Options::max_iterations steps were taken
+  time_limit,       // Options::time_limit_seconds passed
+  interrupted,      // the progress callback asked to stop
+  no_descent,      // no step along the descent direction lowers the cost: as low as doubles resolve
+  nothing_to_move  // every vertex is fixed
+};
+
+/// The word for it in reports: "iteration_limit".
+constexpr std::string_view name(Stop stop) {
+  constexpr std::string_view kNames[] = {"converged",   "iteration_limit", "time_limit",
+                                         "interrupted", "no_descent",      "nothing_to_move"};
+  return kNames[static_cast<int>(stop)];
+}
+
+/// Whether the result keeps the promise that nothing got worse, and what it took.
+enum class Promise : std::uint8_t {
+  kept,         // the minimiser itself keeps it
+  pulled_back,  // some vertices were pulled back towards where they were
+  unimproved,   // only the input itself keeps it: the mesh was left as it was
+  lifted        // Options::allow_worse: quality was not judged, inversion and fixed vertices were
+};
+
+constexpr std::string_view name(Promise promise) {
+  constexpr std::string_view kNames[] = {"kept", "pulled_back", "unimproved", "lifted"};
+  return kNames[static_cast<int>(promise)];
+}
+
+/// One iterate of the solver.
+struct Iteration {
+  int number = 0;               // 0: the input
+  double cost = 0.0;            // f, in the units of the costs
+  double gradient = 0.0;        // |g| in the norm sqrt(g^T M g) of the preconditioner M, over the
+                                // same at the start; does not depend on the size of the mesh
+  double plain_gradient = 0.0;  // Euclidean |g| over the same at the start
+  double step = 0.0;            // step length along the search direction; 0 for the input
+  double max_move = 0.0;        // longest move of a vertex in this step, mesh length unit
+  std::size_t limited = 0;      // vertices whose step was shortened so that no cell turns over
+  int evaluations = 0;          // of cost and gradient so far
+  double seconds = 0.0;         // wall-clock since the solver began
+};
+
+/// What happened to a mesh, in numbers.
+struct Report {
+  Stop stop = Stop::nothing_to_move;
+  Promise promise = Promise::kept;
+  std::vector<Iteration> history;  // history[0] is the input
+
+  double cost_before = 0.0;
+  double cost_after = 0.0;  // of the mesh handed back
+  QualitySummary quality_before;
+  QualitySummary quality_after;
+
+  std::size_t vertices = 0;
+  std::size_t movable = 0;      // vertices that were allowed to move
+  std::size_t moved = 0;        // vertices whose position is not what it was, bit for bit
+  std::size_t held = 0;         // vertices stopped on the way so that no cell turns over
+  std::size_t pulled_back = 0;  // vertices pulled back so that nothing is worse than before
+  double max_move = 0.0;        // longest move, mesh length unit
+  double mean_move = 0.0;       // over the vertices that moved
+
+  int multigrid_levels = 0;
+  double setup_seconds = 0.0;  // layout, preconditioner
+  double multigrid_setup_seconds = 0.0;
+  double solve_seconds = 0.0;  // iterations
+  double check_seconds = 0.0;  // measuring and keeping the promise
+};
+
+}  // namespace evenmesh

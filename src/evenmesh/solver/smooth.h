@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "evenmesh/mesh/mesh.h"
+#include "evenmesh/problem/problem.h"
+#include "evenmesh/solver/report.h"
+
+namespace evenmesh {
+
+struct Options {
+  /// Stop when the gradient, in the preconditioner's norm and relative to the start, is at most
+  /// this. 1e-4 is final to the eye. In (0, 1).
+  double tolerance = 1e-6;
+  int max_iterations = 200;         // >= 0
+  double time_limit_seconds = 0.0;  // wall-clock for the iterations; 0: none
+  int threads = 1;                  // 0: one per core; the result has the same bits for any number
+  /// Lets quality get worse where the costs ask for it. Inversion and fixed vertices stay guarded.
+  bool allow_worse = false;
+  /// What the output can hold of positions (single precision, fixed columns): what moved is rounded
+  /// with this before it is judged. Must leave positions of the input as they are.
+  std::function<std::vector<Vec3>(Points)> representable = {};
+  /// Called after every iteration from the calling thread; return false to stop there.
+  std::function<bool(const Iteration&)> progress = {};
+};
+
+/// Moves the vertices of a mesh to where the problem's cost is least, by a nonlinear conjugate
+/// gradient method preconditioned with multigrid.
+///
+/// Afterwards, in comparison with the input:
+/// - vertices that the problem fixes have the same bits,
+/// - no cell is inverted that was not, and none that was is worse,
+/// - for every metric the worst value over the mesh is at least as good, and the mean of `shape` is
+///   at least as high (unless options.allow_worse).
+/// Where the minimiser would break this, vertices around the offending cells are pulled back
+/// towards where they were; Report::promise says so.
+///
+/// The result does not depend on the number of threads, bit for bit. About 400 bytes per vertex.
+/// @throws InvalidOption  an option is outside its range
+/// @pre  the problem was made for this mesh (or one with the same connectivity)
+Report smooth(Mesh& mesh, const Problem& problem, const Options& options = {});
+
+}  // namespace evenmesh
