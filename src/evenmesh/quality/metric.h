@@ -38,10 +38,11 @@ bool worse(Metric metric, double a, double b);
 /// One measure of one cell.
 /// @param corners  the cell's vertices in the order of its kind, mesh length unit
 /// @param up       surface cells: the direction that counts as positive (any length), or zero to
-///                 use the cell's own normal (which makes triangles positive always).
+///                 use the cell's own normal (which makes triangles positive always). Up only
+///                 chooses the side: corners of a warped quad are judged by its own mean normal.
 ///                 Volume cells: ignored.
 /// @param sign     volume cells: -1 if the cell is wound the other way on purpose, else 1
-/// @return         never NaN
+/// @return         never NaN; a cell with a coordinate that is not finite counts as collapsed
 /// @pre  applies(metric, kind)
 double measure(Metric metric, CellKind kind, std::span<const Vec3> corners, const Vec3& up,
                double sign = 1.0);
