@@ -24,7 +24,7 @@ inline std::string written(const MeshFile& file, Points points) {
   return text;
 }
 
-/// Moves vertices here and there, no two to one place unless they were there or overflow.
+/// Moves vertices here and there, mostly to places of their own, all finite.
 inline std::vector<Vec3> moved_points(const Mesh& mesh) {
   std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -44,7 +44,7 @@ inline void demand_same_points(Points a, Points b) {
 }
 
 /// What every reader and its patch promise, for any bytes whatever.
-inline void check_promise(Format format, std::string_view bytes) {
+inline void check_promise(Format format, std::string_view bytes, const ReadOptions& options = {}) {
   if (bytes.empty()) return;
   const auto input = InputFile::borrow(bytes, "fuzz");
   MeshFile file;
@@ -53,7 +53,7 @@ inline void check_promise(Format format, std::string_view bytes) {
   } catch (const IoError&) {
   }
   try {
-    file = read_as(format, input, {});
+    file = read_as(format, input, options);
   } catch (const IoError&) {
     return;
   }
@@ -61,24 +61,20 @@ inline void check_promise(Format format, std::string_view bytes) {
   if (!file.mesh.cells().empty()) file.patch->cell_name(file.mesh.cells().size() - 1);
   if (file.mesh.point_count() > 0) file.patch->vertex_name(0);
 
+  // With a tolerance, vertices that move may become one with others: write_mesh() refuses those.
+  if (options.weld_tolerance > 0.0) return;
   const std::vector<Vec3> points = moved_points(file.mesh);
   const std::vector<Vec3> wanted = file.patch->representable(points);
-  const bool finite = std::ranges::all_of(wanted, [](const Vec3& p) { return p.allFinite(); });
   const std::string text = written(file, points);
-  try {
-    const MeshFile again = read_as(format, InputFile::borrow(text, "again"), {});
-    demand(finite);
-    // Corners of an STL may fall together; they are then fewer, which write_mesh() refuses.
-    if (again.mesh.point_count() != wanted.size()) {
-      demand(format != Format::obj && again.mesh.point_count() < wanted.size());
-      return;
-    }
-    demand(std::ranges::equal(again.mesh.cells().corners(), file.mesh.cells().corners()));
-    demand(std::ranges::equal(again.mesh.cells().offsets(), file.mesh.cells().offsets()));
-    demand_same_points(again.mesh.points(), wanted);
-  } catch (const IoError&) {
-    demand(!finite);
+  const MeshFile again = read_as(format, InputFile::borrow(text, "again"), {});
+  // Corners of an STL may fall together; they are then fewer, which write_mesh() refuses.
+  if (again.mesh.point_count() != wanted.size()) {
+    demand(format != Format::obj && again.mesh.point_count() < wanted.size());
+    return;
   }
+  demand(std::ranges::equal(again.mesh.cells().corners(), file.mesh.cells().corners()));
+  demand(std::ranges::equal(again.mesh.cells().offsets(), file.mesh.cells().offsets()));
+  demand_same_points(again.mesh.points(), wanted);
 }
 
 }  // namespace evenmesh::fuzz

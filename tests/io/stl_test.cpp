@@ -118,6 +118,16 @@ TEST(StlBinary, RepresentableIsWhatIsReadBack) {
   EXPECT_EQ(std::memcmp(again.mesh.points().data(), wanted.data(), 4 * sizeof(Vec3)), 0);
 }
 
+TEST(StlBinary, HoldsTheNearestFiniteNumberWhereADoubleIsTooLarge) {
+  const std::string bytes = binary(kTwo);
+  const MeshFile file = read(bytes);
+  std::vector<Vec3> points = points_of(file);
+  points[3] = {1e300, -1e300, 0};
+  const double largest = std::numeric_limits<float>::max();
+  EXPECT_EQ(file.patch->representable(points)[3], Vec3(largest, -largest, 0));
+  EXPECT_EQ(float_at(written(file, points), 1, 6), std::numeric_limits<float>::max());
+}
+
 TEST(StlBinary, GivesACollapsedFacetNoNormal) {
   const std::string bytes = binary({kTwo[0]});
   const MeshFile file = read(bytes);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/io/text_scan.h"
 
+#include <bit>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <random>
 
