@@ -344,7 +344,9 @@ class Reader {
                       fmt::format("a face uses vertex {}, but the file has {} vertices", largest_,
                                   points_.size()));
     }
-    if (points_.empty()) input_->fail("has no vertices (lines that begin with 'v')");
+    if (points_.empty()) {
+      input_->fail("has no vertices (lines that begin with 'v'); it is empty or no OBJ file");
+    };
     if (points_.size() >= std::numeric_limits<Index>::max()) {
       input_->fail("has more vertices than 32-bit numbers can count");
     }

@@ -234,6 +234,12 @@ MeshFile read_stl_ascii(std::shared_ptr<const InputFile> input, const ReadOption
 
   MeshFile file;
   if (!closed) {
+    if (is_blank(input->bytes().back())) {  // the next line was begun
+      input->fail_at(
+          input->bytes().size(),
+          "the file ends within a line and without 'endsolid'; it was cut off. Export or "
+          "copy it again");
+    }
     file.notes.push_back("The file ends without 'endsolid'; it may have been cut off.");
   }
   if (facets.empty()) file.notes.push_back("The file has no facets.");

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include <fmt/core.h>
 
@@ -70,6 +71,12 @@ std::size_t uncounted_facets(std::string_view bytes, std::size_t count) {
                   count, fits));
 }
 
+/// The finite float nearest to x.
+double nearest_float(double x) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return static_cast<double>(static_cast<float>(std::clamp(x, -kLargest, kLargest)));
+}
+
 class BinaryStlPatch final : public StlPatch {
  public:
   BinaryStlPatch(std::shared_ptr<const InputFile> file, Mesh as_read)
@@ -81,7 +88,7 @@ class BinaryStlPatch final : public StlPatch {
     std::vector<Vec3> result(mesh().points().begin(), mesh().points().end());
     for (std::size_t i = 0; i < result.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
-        const double nearest = static_cast<double>(static_cast<float>(points[i][k]));
+        const double nearest = nearest_float(points[i][k]);
         if (nearest != result[i][k]) result[i][k] = nearest;
       }
     }

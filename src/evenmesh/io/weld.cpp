@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/io/weld.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <unordered_map>
 
@@ -55,9 +57,10 @@ class Grid {
 
   void unite_close(Sets& sets) {
     fill(sets);
-    for (const auto& [cell, members] : cells_) {
-      for_each_neighbour(
-          cell, [&](const std::vector<Index>& others) { unite_cells(members, others, sets); });
+    for (const auto& cell : cells_) {
+      for_each_neighbour(cell.first, [&](const std::vector<Index>& others) {
+        unite_cells(cell.second, others, sets);
+      });
     }
   }
 
