@@ -31,7 +31,8 @@ std::optional<Reordered> reorder_if_poor(const Mesh& mesh, const Problem& proble
   result.problem.motion = problem.motion.renumbered(result.order);
   const Orientation& from = problem.orientation;
   Orientation& to = result.problem.orientation;
-  to = {.type = from.type, .normal = from.normal};
+  to.type = from.type;
+  to.normal = from.normal;
   if (!from.signs.empty()) to.signs.reserve(from.signs.size());
   if (!from.normals.empty()) to.normals.reserve(from.normals.size());
 
