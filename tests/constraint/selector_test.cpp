@@ -151,6 +151,7 @@ TEST_F(Selector, KeepsMessagesShort) {
   const std::string text = complaint("all + " + std::string(100000, 'x') + "\x1b[31m");
   EXPECT_LT(text.size(), 500u);
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  EXPECT_NE(complaint("\xff\x1b[31m").find("'??[31m'"), std::string::npos);
 }
 
 TEST(SelectorOfALargeMesh, TakesAHundredThousandOverlappingRangesAtOnce) {

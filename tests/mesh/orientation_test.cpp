@@ -208,6 +208,56 @@ TEST(Orientation, ComparesAMillionCornersOfTwoPolygonsOnce) {
   EXPECT_EQ(count_inverted(mesh, find_orientation(mesh)), 0u);
 }
 
+TEST(Orientation, IsNotSpoiltByAQuadListedCrosswise) {
+  // Two vertices of the middle quad are swapped, one quad is wound the other way, and one vertex
+  // lies so that cells around it are tangled.
+  const Mesh grid = shapes::quad_grid(5);
+  Cells cells;
+  for (std::size_t i = 0; i < 25; ++i) {
+    const auto v = grid.cells().vertices(i);
+    if (i == 12) {
+      cells.add(CellKind::quad, {{v[0], v[2], v[1], v[3]}});
+    } else if (i == 3) {
+      cells.add(CellKind::quad, {{v[3], v[2], v[1], v[0]}});
+    } else {
+      cells.add(CellKind::quad, v);
+    }
+  }
+  std::vector<Vec3> points(grid.points().begin(), grid.points().end());
+  points[28] = Vec3(0.8, 0.1, 0.0);
+  const Mesh mesh(points, cells);
+  const Orientation o = find_orientation(mesh);
+  EXPECT_TRUE(o.orientable);
+  EXPECT_EQ(o.against_majority, 1u);
+  EXPECT_EQ(o.sign(3), -1.0);
+  for (std::size_t cell = 0; cell < 25; ++cell) {
+    if (cell != 3 && cell != 12) {
+      EXPECT_EQ(o.sign(cell), 1.0) << cell;
+    }
+  }
+}
+
+TEST(Orientation, JudgesCellsOneByOneWhereWindingsCannotAgree) {
+  // A Moebius strip pressed flat: going round it once changes the winding.
+  const Mesh strip = shapes::moebius_strip(13);
+  std::vector<Vec3> flat;
+  for (const Vec3& p : strip.points()) flat.emplace_back(p.x(), p.y(), 0.0);
+  Cells cells;
+  for (std::size_t i = 0; i < strip.cells().size(); ++i) {
+    const auto v = strip.cells().vertices(i);
+    cells.add(CellKind::triangle, {{v[0], v[1], v[2]}});
+    cells.add(CellKind::triangle, {{v[0], v[2], v[3]}});
+  }
+  const Mesh mesh(flat, cells);
+  for (const Mesh& m : {mesh, shapes::reversed(mesh, every_third)}) {
+    const Orientation o = find_orientation(m);
+    EXPECT_EQ(o.type, MeshType::planar);
+    EXPECT_FALSE(o.orientable);
+    EXPECT_EQ(o.against_majority, 0u);
+    EXPECT_EQ(count_inverted(m, o), 0u);
+  }
+}
+
 TEST(Orientation, GivesSurfaceCellsOfAVolumeMeshNoSide) {
   Cells cells;
   cells.add(CellKind::tet, {{0, 2, 1, 3}});  // left-handed

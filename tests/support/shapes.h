@@ -29,7 +29,7 @@ Mesh triangle_grid(int n, double size = 1.0, double jitter = 0.0, std::uint64_t 
 
 /// About that many vertices on the unit square, unevenly spaced and of uneven valence: a hexagonal
 /// lattice of spacing h, its interior vertices displaced within discs of radius jitter * h, made
-/// Delaunay, all triangles positive. Vertices row by row. Linear time: 0.2 s and 120 MB per million.
+/// Delaunay, all triangles positive. Vertices row by row. A million take 0.2 s and 120 MB.
 /// @param jitter  in [0, 0.4]
 /// @param noise   if > 0, interior vertices then move by up to noise * h in x and in y while the
 ///                triangles stay: they may turn over (tangled from about 0.5 on)

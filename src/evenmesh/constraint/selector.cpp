@@ -58,18 +58,15 @@ std::string suggestion(std::string_view word) {
   return near(*best) <= allowed ? fmt::format("; did you mean '{}'?", *best) : "";
 }
 
-/// A piece of the text fit for a message, whatever its length and bytes.
+/// A piece of the text fit for a message, whatever its length and bytes: no known word has letters
+/// outside ASCII, and half a UTF-8 sequence would spoil a terminal or a JSON report.
 std::string shown(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string result(text.substr(0, kLongest));
   for (char& c : result) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    if (c < 0x20 || c > 0x7e) c = '?';
   }
-  // Not in the middle of a UTF-8 sequence.
-  if (text.size() > kLongest) {
-    while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0x80)) result.pop_back();
-    result += "...";
-  }
+  if (text.size() > kLongest) result += "...";
   return result;
 }
 
@@ -136,7 +133,7 @@ class Parser {
     }
     const std::string_view hyphenated = word_with_hyphens(start);
     const std::string hint = suggestion(hyphenated);  // non-manifold
-    if (!hint.empty()) fail(start, fmt::format("'{}' is not known{}", hyphenated, hint));
+    if (!hint.empty()) fail(start, fmt::format("'{}' is not known{}", shown(hyphenated), hint));
     fail(start, fmt::format("'{}' is not known{}", shown(word), suggestion(word)));
   }
 

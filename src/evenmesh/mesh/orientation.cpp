@@ -2,11 +2,14 @@
 #include "evenmesh/mesh/orientation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "evenmesh/mesh/extent.h"
 #include "evenmesh/mesh/plane.h"
+#include "evenmesh/mesh/sides.h"
 #include "evenmesh/mesh/winding.h"
 
 namespace evenmesh {
@@ -31,6 +34,49 @@ std::vector<Index> used_vertices(const Mesh& mesh) {
 double unit_of(const Mesh& mesh, std::span<const Index> vertices) {
   const double half = extent_of(mesh.points(), vertices).half();
   return half > 0.0 ? half : 1.0;
+}
+
+/// Two of a bow-tie's corners turn one way and two the other.
+bool is_bow_tie(Points points, std::span<const Index> v, double unit) {
+  if (v.size() != 4) return false;
+  std::array<Vec3, 4> turns;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::array<Index, 3> corner{v[(i + 3) % 4], v[i], v[(i + 1) % 4]};
+    turns[i] = doubled_area(points, corner, unit);
+  }
+  return std::count_if(turns.begin(), turns.end(),
+                       [&](const Vec3& turn) { return turn.dot(turns[0]) < 0.0; }) == 2;
+}
+
+bool is_twisted(const Winding& winding) {
+  return std::find(winding.twisted.begin(), winding.twisted.end(), char{1}) !=
+         winding.twisted.end();
+}
+
+/// Quads of a twisted piece that were made bow-ties by their vertices' order rather than by their
+/// positions: two of their sides are diagonals, which no neighbour has.
+std::vector<char> misnumbered_quads(const Mesh& mesh, const Winding& winding, double unit) {
+  const Cells& cells = mesh.cells();
+  std::vector<std::uint8_t> borders(cells.size(), 0);  // per cell: sides of its own, up to two
+  for_each_side(cells, mesh.point_count(), 2, [&](const Side& side) {
+    std::uint8_t& count = borders[side.uses[0].cell];
+    if (side.cells == 1 && count < 2) ++count;
+  });
+  std::vector<char> result(cells.size(), 0);
+  for (std::size_t cell = 0; cell < result.size(); ++cell) {
+    result[cell] = winding.twisted[cell] && borders[cell] == 2 &&
+                   is_bow_tie(mesh.points(), cells.vertices(cell), unit);
+  }
+  return result;
+}
+
+/// How surface cells are wound, whatever misnumbered quads say where they contradict the others.
+Winding surface_winding(const Mesh& mesh, double unit) {
+  const Cells& cells = mesh.cells();
+  Winding winding = find_winding(cells, mesh.point_count(), 2);
+  if (!is_twisted(winding)) return winding;
+  const std::vector<char> mute = misnumbered_quads(mesh, winding, unit);
+  return find_winding(cells, mesh.point_count(), 2, mute);
 }
 
 template <class Size>
@@ -101,13 +147,12 @@ void drop_if_all_positive(std::vector<std::int8_t>& signs) {
 void count_winding(const Winding& winding, const std::vector<char>& against, Orientation& result) {
   result.against_majority =
       static_cast<std::size_t>(std::count(against.begin(), against.end(), char{1}));
-  result.orientable =
-      std::none_of(winding.twisted.begin(), winding.twisted.end(), [](char t) { return t != 0; });
+  result.orientable = !is_twisted(winding);
 }
 
 void orient_plane(const Mesh& mesh, double unit, const Vec3& normal, Orientation& result) {
   const Cells& cells = mesh.cells();
-  const Winding winding = find_winding(cells, mesh.point_count(), 2);
+  const Winding winding = surface_winding(mesh, unit);
   const std::vector<double> areas = sizes_of(cells, [&](std::size_t cell) {
     return doubled_area(mesh.points(), cells.vertices(cell), unit).dot(normal);
   });
@@ -135,7 +180,7 @@ void orient_surface(const Mesh& mesh, double unit, Orientation& result) {
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     result.normals[cell] = unit_normal(mesh.points(), cells.vertices(cell));
   }
-  const Winding winding = find_winding(cells, mesh.point_count(), 2);
+  const Winding winding = surface_winding(mesh, unit);
   const std::vector<double> areas = sizes_of(cells, [&](std::size_t cell) {
     return doubled_area(mesh.points(), cells.vertices(cell), unit).norm();
   });

@@ -32,8 +32,10 @@ std::string_view name(MeshType type);
 ///   corner of it points against its own mean normal (a concave or bow-tie quad).
 ///
 /// Two cells on the same vertices do not say how they are wound to one another, nor does a side of
-/// three or more. In a piece that cannot be wound consistently every cell of a plane or a volume is
-/// taken as positive, and none counts as wound against the majority.
+/// three or more, nor a
+/// quad whose vertices are listed crosswise and so contradict its neighbours. In a piece that
+/// cannot be wound consistently every cell of a plane or a volume is taken as positive, and none
+/// counts as wound against the majority.
 struct Orientation {
   MeshType type = MeshType::surface;
   Vec3 normal = Vec3::Zero();  // planar: the common unit normal; else zero

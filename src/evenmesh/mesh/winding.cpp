@@ -68,7 +68,8 @@ class Forest {
 
 }  // namespace
 
-Winding find_winding(const Cells& cells, std::size_t vertex_count, int dimension) {
+Winding find_winding(const Cells& cells, std::size_t vertex_count, int dimension,
+                     std::span<const char> mute) {
   Winding winding;
   winding.piece.resize(cells.size());
   std::iota(winding.piece.begin(), winding.piece.end(), 0u);
@@ -81,6 +82,7 @@ Winding find_winding(const Cells& cells, std::size_t vertex_count, int dimension
     if (!side.is_shared_by_two()) return;
     const SideUse& a = side.uses[0];
     const SideUse& b = side.uses[1];
+    if (!mute.empty() && (mute[a.cell] || mute[b.cell])) return;
     if (twins.are_twins(a.cell, b.cell)) return;
     forest.join(a.cell, b.cell, a.forward == b.forward);
   });

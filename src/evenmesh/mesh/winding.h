@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "evenmesh/mesh/mesh.h"
@@ -22,7 +23,9 @@ struct Winding {
 };
 
 /// O(corners) time. Cells of another dimension are pieces of their own.
+/// @param mute  per cell: its sides tell nothing, so it is a piece of its own; empty: none
 /// @throws InvalidMesh  there are more than 2^32 - 2 cells
-Winding find_winding(const Cells& cells, std::size_t vertex_count, int dimension);
+Winding find_winding(const Cells& cells, std::size_t vertex_count, int dimension,
+                     std::span<const char> mute = {});
 
 }  // namespace evenmesh
