@@ -111,6 +111,12 @@ TEST(Obj, RefusesWithTheLineAtFault) {
   }
 }
 
+TEST(Obj, RefusesNamesThatWouldFillTheMemory) {
+  std::string text = kFive + "o " + std::string(100'000, 'x') + "\n";
+  for (int i = 0; i < 1000; ++i) text += "g " + std::to_string(i) + "\nf 1 2 3\n";
+  EXPECT_NE(refusal(text).find("are too long"), std::string::npos);
+}
+
 TEST(Obj, NamesCellsAndVerticesAsInTheFile) {
   const std::string text = "\r\n" + kFive + "s 1\nf 1 2 3\n# f\nf 1 \\\n3 4\n";
   const MeshFile file = read(text);

@@ -190,7 +190,7 @@ TEST(StlAscii, MakesNoGroupOfASingleSolid) {
 
 TEST(Stl, WeldsWithinATolerance) {
   std::vector<Corners> facets = kTwo;
-  facets[1][0] = {1.001, 0, 0};
+  facets[1][0] = {1.001, 0.002, 0};
   const std::string bytes = binary(facets);
   EXPECT_EQ(read(bytes).mesh.point_count(), 5u);
   const ReadOptions options{.weld_tolerance = 0.01};
@@ -204,6 +204,7 @@ TEST(Stl, WeldsWithinATolerance) {
   const std::string out = written(file, points);
   EXPECT_EQ(float_at(out, 0, 6), 1.25F);
   EXPECT_EQ(float_at(out, 1, 3), 1.25F);
+  EXPECT_EQ(float_at(out, 1, 4), 0.002F);
   EXPECT_EQ(points_of(read(out, options)), points);
 }
 

