@@ -15,7 +15,7 @@ import sys
 MAY_INCLUDE = {
     "base": "",
     "geometry": "base",
-    "mesh": "base",
+    "mesh": "base geometry",
     "quality": "base geometry mesh",
     "io": "base mesh",
     "cost": "base geometry mesh",
@@ -23,7 +23,7 @@ MAY_INCLUDE = {
     "problem": "base geometry mesh cost constraint",
     "solver": "base geometry mesh quality cost constraint problem",
     "classic": "base geometry mesh constraint",
-    "report": "base mesh quality",
+    "report": "base mesh quality problem solver",
 }
 
 INCLUDE = re.compile(r'\s*#\s*include\s+(["<])([^">]+)[">]')

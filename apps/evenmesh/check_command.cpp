@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "apps/evenmesh/commands.h"
+#include "apps/evenmesh/exit_code.h"
+
+namespace evenmesh::app {
+
+int check_command(const InputArguments& arguments, int threads, const Console& console) {
+  constexpr std::size_t kShown = 10;
+  const Input input = load(arguments, console);
+  Workers workers(threads);
+  const Mesh& mesh = input.file.mesh;
+  const CellQuality quality = measure_cells(workers, mesh, mesh.points(), input.orientation);
+  const QualitySummary summary = summarize(workers, quality);
+  print(quality_table(summary, nullptr));
+
+  const std::vector<double>& shape = quality.of(Metric::shape);
+  const auto bad = static_cast<std::size_t>(
+      std::count_if(shape.begin(), shape.end(), [](double s) { return !(s > 0.0); }));
+  const std::vector<char> none(mesh.point_count(), 0);
+  print("\nworst cells          shape\n");
+  for (const NamedCell& cell :
+       name_cells(input, worst_cells(quality, kShown), quality, quality, none)) {
+    print(fmt::format("{:<20} {:.4f}  {}{}\n", cell.name, cell.shape_after, traits(cell.kind).name,
+                      cell.inverted ? ", inverted" : ""));
+  }
+  if (bad == 0) return kDone;
+  console.say(fmt::format("{} without a positive shape ({} inverted)",
+                          bad == 1 ? "1 cell is" : with_commas(bad) + " cells are",
+                          with_commas(summary.inverted)));
+  return kBelowTarget;
+}
+
+}  // namespace evenmesh::app

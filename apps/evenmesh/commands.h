@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "apps/evenmesh/console.h"
+#include "apps/evenmesh/loading.h"
+#include "evenmesh/problem/problem.h"
+
+namespace evenmesh::app {
+
+struct SmoothArguments {
+  InputArguments input;
+  std::string output;
+  bool in_place = false;
+  std::string costs;  // "local=0.3,barycenter=0.3"; empty: chosen by kind of cell
+  bool scale_free = false;
+  double global_length = 0.0;
+  std::string fix = "boundary+features+interface";
+  int iterations = 200;
+  double tolerance = 1e-6;
+  double time_limit = 0.0;
+  int threads = 0;
+  bool allow_worse = false;
+  bool keep_partial = false;
+  std::string json;     // empty: none; "-": stdout
+  std::string command;  // the whole command line
+};
+
+/// Smooths a file. Returns an exit code; throws Error for what is wrong with input or options.
+/// @param interrupted  asked after every iteration
+int smooth_command(const SmoothArguments& arguments, Console& console,
+                   const std::function<bool()>& interrupted);
+
+/// Measures a file: quality table and worst cells. kBelowTarget if a cell is inverted or has no
+/// size.
+int check_command(const InputArguments& arguments, int threads, const Console& console);
+
+/// Says what is in a file.
+int info_command(const InputArguments& arguments, const Console& console);
+
+/// Smooths the paper's meshes with known optima.
+int demo_command(const Console& console);
+
+/// "local=0.3,barycenter" -> names and weights (1 where none is given).
+/// @throws InvalidOption  the text does not parse
+std::vector<CostChoice> parse_costs(const std::string& text);
+
+}  // namespace evenmesh::app

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "apps/evenmesh/loading.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+namespace evenmesh::app {
+namespace {
+
+std::array<std::size_t, kCellKinds> count_kinds(const Cells& cells) {
+  std::array<std::size_t, kCellKinds> counts{};
+  for (const CellKind kind : cells.kinds()) ++counts[static_cast<std::size_t>(kind)];
+  return counts;
+}
+
+std::string plural(CellKind kind) {
+  if (kind == CellKind::hex) return "hexes";
+  return std::string(traits(kind).name) + "s";
+}
+
+}  // namespace
+
+Input load(const InputArguments& arguments, const Console& console) {
+  Input input;
+  const Timer timer;
+  input.file = read_mesh(arguments.path, {.weld_tolerance = arguments.weld_tolerance});
+  input.read_seconds = timer.seconds();
+  const Mesh& mesh = input.file.mesh;
+  console.say(fmt::format("{}: {}, {}", arguments.path,
+                          count_of(mesh.point_count(), "vertex", "vertices"),
+                          cell_counts(mesh.cells())));
+  for (const std::string& note : input.file.notes) console.say("note: " + note);
+
+  input.orientation = find_orientation(mesh);
+  input.topology =
+      find_topology(mesh, input.orientation, {.feature_angle = arguments.feature_angle});
+  if (input.orientation.against_majority > 0) {
+    console.say(fmt::format(
+        "note: {} wound against the others; the file keeps that, and it does not count as inverted",
+        input.orientation.against_majority == 1
+            ? "1 cell is"
+            : with_commas(input.orientation.against_majority) + " cells are"));
+  }
+  return input;
+}
+
+void describe(const Input& input, RunRecord& record) {
+  const Mesh& mesh = input.file.mesh;
+  record.format = input.file.patch->format();
+  record.input_bytes = input.file.bytes;
+  record.vertices = mesh.point_count();
+  record.cells = count_kinds(mesh.cells());
+  record.type = input.orientation.type;
+  record.components = input.topology.components;
+  record.cells_against_majority = input.orientation.against_majority;
+  record.notes = input.file.notes;
+  record.read_seconds = input.read_seconds;
+}
+
+std::string cell_counts(const Cells& cells) {
+  const auto counts = count_kinds(cells);
+  std::string text;
+  for (int k = 0; k < kCellKinds; ++k) {
+    const std::size_t count = counts[static_cast<std::size_t>(k)];
+    if (count == 0) continue;
+    const auto kind = static_cast<CellKind>(k);
+    if (!text.empty()) text += ", ";
+    text += count_of(count, traits(kind).name, plural(kind));
+  }
+  return text.empty() ? "no cells" : text;
+}
+
+std::vector<NamedCell> name_cells(const Input& input, const std::vector<std::size_t>& cells,
+                                  const CellQuality& before, const CellQuality& after,
+                                  const std::vector<char>& fixed) {
+  std::vector<NamedCell> named;
+  for (const std::size_t cell : cells) {
+    const auto vertices = input.file.mesh.cells().vertices(cell);
+    named.push_back({.name = input.file.patch->cell_name(cell),
+                     .kind = input.file.mesh.cells().kind(cell),
+                     .shape_before = before.of(Metric::shape)[cell],
+                     .shape_after = after.of(Metric::shape)[cell],
+                     .inverted = after.inverted[cell] != 0,
+                     .fixed_vertices = static_cast<std::size_t>(std::count_if(
+                         vertices.begin(), vertices.end(), [&](Index v) { return fixed[v]; }))});
+  }
+  return named;
+}
+
+}  // namespace evenmesh::app

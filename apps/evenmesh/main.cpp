@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+//
+// The command line: parse, call, report, exit code. No mathematics.
+#include <atomic>
+#include <csignal>
+#include <new>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "apps/evenmesh/commands.h"
+#include "apps/evenmesh/exit_code.h"
+#include "evenmesh/base/error.h"
+#include "evenmesh/base/version.h"
+
+namespace evenmesh::app {
+namespace {
+
+std::atomic<bool> interrupt_asked = false;
+
+// The first Ctrl-C asks the solver to stop at its best iterate, the second ends the program.
+extern "C" void on_interrupt(int signal) {
+  interrupt_asked = true;
+  std::signal(signal, SIG_DFL);
+}
+
+constexpr const char* kExamples = R"(Examples:
+  evenmesh part.obj -o even.obj          make it even; boundary, features and groups stay
+  evenmesh check part.stl                measure it; exit code 4 if a cell is inverted
+  evenmesh grid.obj -o out.obj --cost local=0.3,barycenter=0.3 --fix boundary
+
+Makes the cells of a mesh even by moving its vertices, never its connectivity, and never
+hands back a mesh that is worse. Reads and patches OBJ and STL.
+)";
+
+constexpr const char* kExitCodes = R"(
+Selectors for --fix: all, none, boundary, features, corners, interface, non_manifold,
+  id:1,5-9, box:x0,y0,z0,x1,y1,z1, combined with + - & from left to right.
+Exit codes: 0 done; 1 internal error; 2 wrong usage; 3 a file cannot be read or written;
+  4 check found inverted cells; 5 refused, nothing written; 130 interrupted.
+)";
+
+// The command line, quoted so that a shell takes it back.
+std::string command_line(int argc, char** argv) {
+  std::string text;
+  for (int i = 0; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (i > 0) text += ' ';
+    if (!argument.empty() &&
+        argument.find_first_of(" \t\n'\"\\$`&|;<>()*?[]#~!{}") == std::string::npos) {
+      text += argument;
+      continue;
+    }
+    text += '\'';
+    for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += '\'';
+  }
+  return text;
+}
+
+void add_input(CLI::App& app, InputArguments& input, bool required) {
+  auto* path = app.add_option("IN", input.path, "the mesh file: OBJ or STL");
+  if (required) path->required();
+  app.add_option("--feature-angle", input.feature_angle,
+                 "edges with a greater dihedral angle are features, in degrees")
+      ->capture_default_str();
+  app.add_option("--weld", input.weld_tolerance,
+                 "STL: corners at most this far apart are one vertex, in the file's unit")
+      ->capture_default_str();
+}
+
+void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
+  app.add_option("-o,--output", smooth.output, "the file to write");
+  app.add_flag("--in-place", smooth.in_place, "replace the input file");
+  app.add_option("--cost", smooth.costs,
+                 "what to minimise: local, global, barycenter with weights, as in "
+                 "local=0.3,barycenter=0.3 (default: local for triangles, that for the others)");
+  app.add_flag("--scale-free", smooth.scale_free,
+               "count lengths relative to each cell's size: fine and coarse cells weigh the same");
+  app.add_option("--global-length", smooth.global_length,
+                 "edge length that the cost global pulls to (default: the mean of the input)");
+  app.add_option("--fix", smooth.fix, "vertices that stay")->capture_default_str();
+  app.add_option("--iterations", smooth.iterations, "stop after so many")->capture_default_str();
+  app.add_option("--tolerance", smooth.tolerance,
+                 "stop when the gradient has fallen to this part of its start")
+      ->capture_default_str();
+  app.add_option("--time-limit", smooth.time_limit, "stop iterating after so many seconds");
+  app.add_flag("--allow-worse", smooth.allow_worse,
+               "let quality get worse where the cost asks for it; cells still never turn over");
+  app.add_flag("--keep-partial", smooth.keep_partial, "on Ctrl-C write the best mesh so far");
+  app.add_option("--json", smooth.json, "write a report in JSON to this file (-: to stdout)");
+}
+
+int run(int argc, char** argv) {
+  SmoothArguments smooth;
+  InputArguments inspected;
+  int threads = 0;
+  bool quiet = false;
+  bool verbose = false;
+  smooth.command = command_line(argc, argv);
+
+  CLI::App app{kExamples, "evenmesh"};
+  app.footer(kExitCodes);
+  app.set_version_flag("--version", std::string("evenmesh ") + kVersion);
+  app.require_subcommand(0, 1);
+  add_input(app, smooth.input, false);
+  add_smooth_options(app, smooth);
+  app.add_option("--threads", threads, "0: one per core; results do not depend on it")
+      ->capture_default_str();
+  app.add_flag("-q,--quiet", quiet, "say nothing but errors");
+  app.add_flag("-v,--verbose", verbose, "say more");
+
+  CLI::App* check = app.add_subcommand("check", "measure the cells of a mesh");
+  add_input(*check, inspected, true);
+  CLI::App* info = app.add_subcommand("info", "say what is in a mesh file");
+  add_input(*info, inspected, true);
+  CLI::App* demo = app.add_subcommand("demo", "smooth the paper's meshes with known optima");
+  for (CLI::App* verb : {check, info, demo}) verb->fallthrough();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "evenmesh: {}\nTry: evenmesh --help\n", error.what());
+    return kBadUsage;
+  }
+
+  Console console(quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal);
+  if (*check) return check_command(inspected, threads, console);
+  if (*info) return info_command(inspected, console);
+  if (*demo) return demo_command(console);
+  if (smooth.input.path.empty()) {
+    fmt::print(stderr, "evenmesh: no mesh file given\nTry: evenmesh part.obj -o even.obj\n");
+    return kBadUsage;
+  }
+  std::signal(SIGINT, on_interrupt);
+  smooth.threads = threads;
+  return smooth_command(smooth, console, [] { return interrupt_asked.load(); });
+}
+
+}  // namespace
+}  // namespace evenmesh::app
+
+int main(int argc, char** argv) {
+  using namespace evenmesh;
+  const auto fail = [](const char* what, int code) {
+    fmt::print(stderr, "evenmesh: {}\n", what);
+    return code;
+  };
+  try {
+    return app::run(argc, argv);
+  } catch (const InvalidOption& error) {
+    return fail(error.what(), app::kBadUsage);
+  } catch (const Error& error) {
+    return fail(error.what(), app::kBadFile);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", app::kInternalError);
+  } catch (const std::exception& error) {
+    return fail(error.what(), app::kInternalError);
+  }
+}

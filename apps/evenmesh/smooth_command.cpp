@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/core.h>
+
+#include "apps/evenmesh/commands.h"
+#include "apps/evenmesh/exit_code.h"
+#include "evenmesh/base/error.h"
+#include "evenmesh/constraint/selector.h"
+#include "evenmesh/solver/guard.h"
+#include "evenmesh/solver/smooth.h"
+
+namespace evenmesh::app {
+namespace {
+
+constexpr std::size_t kWorstListed = 10;
+
+// Thrown while writing to keep the output from replacing anything.
+class Refused : public Error {
+ public:
+  using Error::Error;
+};
+
+std::string output_path(const SmoothArguments& arguments) {
+  if (arguments.in_place) {
+    if (!arguments.output.empty()) {
+      throw InvalidOption("-o and --in-place exclude each other; choose one");
+    }
+    return arguments.input.path;
+  }
+  if (arguments.output.empty()) {
+    throw InvalidOption(
+        fmt::format("nowhere to write to; add -o OUT (or look first: evenmesh check {})",
+                    arguments.input.path));
+  }
+  std::error_code ignored;
+  if (std::filesystem::equivalent(arguments.input.path, arguments.output, ignored)) {
+    throw InvalidOption(fmt::format(
+        "{} is the input itself; use --in-place instead of -o to replace it", arguments.output));
+  }
+  return arguments.output;
+}
+
+std::string cost_text(const Problem& problem) {
+  std::string text;
+  for (const Term& term : problem.terms) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ",", term.cost->name(), term.weight);
+  }
+  return text;
+}
+
+// One smoothing run from file to file; the steps of the command in their order.
+class Run {
+ public:
+  Run(const SmoothArguments& arguments, Console& console, const std::function<bool()>& interrupted)
+      : arguments_(arguments),
+        console_(console),
+        interrupted_(interrupted),
+        output_(output_path(arguments)) {
+    record_.command = arguments.command;
+    record_.input = arguments.input.path;
+  }
+
+  int perform() {
+    try {
+      prepare();
+      solve();
+      finish();
+    } catch (const std::exception& error) {
+      record_.status = "failed";
+      record_.message = error.what();
+      record_.exit_code = dynamic_cast<const InvalidOption*>(&error) != nullptr ? kBadUsage
+                          : dynamic_cast<const Error*>(&error) != nullptr       ? kBadFile
+                                                                                : kInternalError;
+      write_json();
+      throw;
+    }
+    write_json();
+    return record_.exit_code;
+  }
+
+ private:
+  void prepare() {
+    const std::vector<CostChoice> costs = parse_costs(arguments_.costs);
+    input_ = load(arguments_.input, console_);
+    describe(input_, record_);
+    const Mesh& mesh = input_.file.mesh;
+    fixed_ = select_vertices(arguments_.fix, mesh, input_.topology);
+    problem_ =
+        make_problem(mesh, input_.orientation, fixed_,
+                     {.costs = costs,
+                      .scaling = arguments_.scale_free ? Scaling::scale_free : Scaling::absolute,
+                      .global_length = arguments_.global_length});
+    const std::size_t movable = problem_.motion.moving();
+    console_.say(fmt::format("{} mesh; {} of {} may move, the others are kept ({})",
+                             name(input_.orientation.type), with_commas(movable),
+                             count_of(mesh.point_count(), "vertex", "vertices"), arguments_.fix));
+    record_.options = {{"cost", cost_text(problem_)},
+                       {"scale_free", arguments_.scale_free ? "true" : "false"},
+                       {"fix", arguments_.fix},
+                       {"feature_angle", fmt::format("{}", arguments_.input.feature_angle)},
+                       {"iterations", fmt::format("{}", arguments_.iterations)},
+                       {"tolerance", fmt::format("{}", arguments_.tolerance)},
+                       {"time_limit", fmt::format("{}", arguments_.time_limit)},
+                       {"threads", fmt::format("{}", arguments_.threads)},
+                       {"allow_worse", arguments_.allow_worse ? "true" : "false"},
+                       {"weld", fmt::format("{}", arguments_.input.weld_tolerance)}};
+  }
+
+  void solve() {
+    result_ = input_.file.mesh;
+    Options options;
+    options.tolerance = arguments_.tolerance;
+    options.max_iterations = arguments_.iterations;
+    options.time_limit_seconds = arguments_.time_limit;
+    options.threads = arguments_.threads;
+    options.allow_worse = arguments_.allow_worse;
+    options.representable = [this](Points points) {
+      return input_.file.patch->representable(points);
+    };
+    options.progress = [this](const Iteration& iteration) {
+      console_.progress(iteration, arguments_.tolerance);
+      return !interrupted_();
+    };
+    record_.report = smooth(result_, problem_, options);
+    console_.end_progress();
+    if (console_.verbose()) print_history();
+  }
+
+  void finish() {
+    const Report& report = record_.report;
+    record_.message = outcome();
+    record_.status = "ok";
+    if (report.stop == Stop::interrupted) {
+      record_.status = "interrupted";
+      record_.exit_code = kInterrupted;
+      if (!arguments_.keep_partial) {
+        console_.say(record_.message +
+                     "; nothing was written (--keep-partial keeps what there is)");
+        return;
+      }
+    }
+    if (report.promise == Promise::unimproved) {
+      refuse();
+      return;
+    }
+    try {
+      write();
+    } catch (const Refused& error) {
+      record_.message = error.what();
+      refuse();
+      return;
+    }
+    console_.say(record_.message);
+    if (report.moved > 0) {
+      console_.say(fmt::format("moved {}, by {:.4g} at most and {:.4g} on average",
+                               count_of(report.moved, "vertex", "vertices"), report.max_move,
+                               report.mean_move));
+    }
+    if (arguments_.json != "-") print(quality_table(report.quality_before, &report.quality_after));
+    console_.say("wrote " + output_);
+  }
+
+  void refuse() {
+    record_.status = "refused";
+    record_.exit_code = kRefused;
+    console_.say("refused: " + record_.message + "; nothing was written");
+  }
+
+  // Why the run ended as it did, in one sentence.
+  std::string outcome() const {
+    const Report& report = record_.report;
+    if (input_.file.mesh.cells().empty()) return "the mesh has no cells, so there is nothing to do";
+    if (report.stop == Stop::nothing_to_move) {
+      return fmt::format(
+          "nothing may move: every vertex is kept by --fix {} (or has no area around "
+          "it); try --fix boundary",
+          arguments_.fix);
+    }
+    if (report.promise == Promise::unimproved) {
+      return "no vertex can follow the cost without making the worst cell worse; try other costs "
+             "(--cost), fewer fixed vertices (--fix), or --allow-worse";
+    }
+    const int iterations = report.history.back().number;
+    std::string text;
+    switch (report.stop) {
+      case Stop::converged:
+        text = iterations == 0
+                   ? "the mesh is as even as its cost can make it already"
+                   : fmt::format("converged in {}", count_of(static_cast<std::size_t>(iterations),
+                                                             "iteration", "iterations"));
+        break;
+      case Stop::no_descent:
+        text =
+            fmt::format("as low as double precision resolves after {}",
+                        count_of(static_cast<std::size_t>(iterations), "iteration", "iterations"));
+        break;
+      case Stop::iteration_limit:
+        text =
+            fmt::format("stopped at the limit of {}, gradient at {:.1e} of its start",
+                        count_of(static_cast<std::size_t>(iterations), "iteration", "iterations"),
+                        report.history.back().gradient);
+        break;
+      case Stop::time_limit:
+        text =
+            fmt::format("stopped at the time limit after {}, gradient at {:.1e} of its start",
+                        count_of(static_cast<std::size_t>(iterations), "iteration", "iterations"),
+                        report.history.back().gradient);
+        break;
+      case Stop::interrupted:
+        text = fmt::format("interrupted after {}", count_of(static_cast<std::size_t>(iterations),
+                                                            "iteration", "iterations"));
+        break;
+      case Stop::nothing_to_move:
+        break;
+    }
+    if (report.held > 0) {
+      text += fmt::format("; {} stopped on the way so that no cell turns over",
+                          count_of(report.held, "vertex", "vertices"));
+    }
+    if (report.pulled_back > 0) {
+      text += fmt::format("; {} pulled back so that nothing is worse than before",
+                          count_of(report.pulled_back, "vertex", "vertices"));
+    }
+    return text;
+  }
+
+  // The promise is judged once more on what can be read from the new file.
+  void write() {
+    const Timer timer;
+    const MeshFile& file = input_.file;
+    write_mesh(file, result_.points(), output_, {.weld_tolerance = arguments_.input.weld_tolerance},
+               [this](const Mesh& written) { check_written(written); });
+    record_.write_seconds = timer.seconds();
+    record_.output = output_;
+  }
+
+  void check_written(const Mesh& written) {
+    const Mesh& before = input_.file.mesh;
+    for (std::size_t v = 0; v < before.point_count(); ++v) {
+      if (problem_.motion.freedom(static_cast<Index>(v)) != Motion::Freedom::fixed) continue;
+      if (before.points()[v] == written.points()[v]) continue;
+      throw Refused(fmt::format("{} is fixed but would have moved",
+                                input_.file.patch->vertex_name(static_cast<Index>(v))));
+    }
+    Workers workers(arguments_.threads);
+    const Guard guard(workers, before, problem_.orientation);
+    const std::string breach =
+        guard.find_breach(workers, written.points(),
+                          arguments_.allow_worse ? Judge::inversion : Judge::quality_and_inversion);
+    if (!breach.empty()) throw Refused("in the file as read back, " + breach);
+  }
+
+  void print_history() const {
+    console_.detail("iteration        cost   gradient      step  max move  limited");
+    for (const Iteration& i : record_.report.history) {
+      console_.detail(fmt::format("{:>9} {:>11.5g} {:>10.2e} {:>9.3g} {:>9.2e} {:>8}", i.number,
+                                  i.cost, i.gradient, i.step, i.max_move, i.limited));
+    }
+  }
+
+  void write_json() {
+    if (arguments_.json.empty()) return;
+    if (record_.exit_code == kDone || record_.exit_code == kRefused) list_worst();
+    record_.total_seconds = total_.seconds();
+    record_.cpu_seconds = cpu_seconds();
+    record_.peak_memory_bytes = peak_memory_bytes();
+    const std::string text = to_json(record_);
+    if (arguments_.json == "-") {
+      print(text);
+      return;
+    }
+    std::ofstream file(arguments_.json, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) throw IoError(arguments_.json + ": cannot be written; is the folder there?");
+  }
+
+  void list_worst() {
+    Workers workers(arguments_.threads);
+    const Mesh& mesh = input_.file.mesh;
+    const CellQuality before = measure_cells(workers, mesh, mesh.points(), input_.orientation);
+    const CellQuality after = measure_cells(workers, mesh, result_.points(), input_.orientation);
+    record_.worst = name_cells(input_, worst_cells(after, kWorstListed), before, after, fixed_);
+  }
+
+  const SmoothArguments& arguments_;
+  Console& console_;
+  const std::function<bool()>& interrupted_;
+  const std::string output_;
+  const Timer total_;
+  RunRecord record_;
+  Input input_;
+  std::vector<char> fixed_;
+  Problem problem_;
+  Mesh result_;
+};
+
+}  // namespace
+
+std::vector<CostChoice> parse_costs(const std::string& text) {
+  std::vector<CostChoice> costs;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string part = text.substr(at, end - at);
+    const std::size_t equals = std::min(part.find('='), part.size());
+    CostChoice choice{.name = part.substr(0, equals), .weight = 1.0};
+    if (equals < part.size()) {
+      const char* first = part.data() + equals + 1;
+      const char* last = part.data() + part.size();
+      const auto [rest, error] = std::from_chars(first, last, choice.weight);
+      if (error != std::errc() || rest != last) {
+        throw InvalidOption(fmt::format(
+            "'{}' is no weight in --cost {}; write for example local=0.3,barycenter=0.3",
+            part.substr(equals + 1), text));
+      }
+    }
+    if (choice.name.empty()) {
+      throw InvalidOption(fmt::format("a cost without a name in --cost {}", text));
+    }
+    costs.push_back(std::move(choice));
+    at = end + 1;
+  }
+  return costs;
+}
+
+int smooth_command(const SmoothArguments& arguments, Console& console,
+                   const std::function<bool()>& interrupted) {
+  return Run(arguments, console, interrupted).perform();
+}
+
+}  // namespace evenmesh::app
