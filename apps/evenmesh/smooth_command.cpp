@@ -182,7 +182,8 @@ class Run {
           arguments_.fix);
     }
     if (report.promise == Promise::unimproved) {
-      return "no vertex can follow the cost without making the worst cell worse; try other costs "
+      return "no vertex can follow the cost without making the worst cell or the mean shape worse; "
+             "try other costs "
              "(--cost), fewer fixed vertices (--fix), or --allow-worse";
     }
     const int iterations = report.history.back().number;
@@ -221,6 +222,9 @@ class Run {
     if (report.held > 0) {
       text += fmt::format("; {} stopped on the way so that no cell turns over",
                           count_of(report.held, "vertex", "vertices"));
+    }
+    if (report.promise == Promise::earlier_iterate) {
+      text += "; this iterate was kept because the mean shape falls from there on";
     }
     if (report.pulled_back > 0) {
       text += fmt::format("; {} pulled back so that nothing is worse than before",

@@ -106,6 +106,10 @@ Problem make_problem(const Mesh& mesh, Orientation orientation, std::span<const 
                      const ProblemOptions& options) {
   Problem problem;
   problem.motion = Motion(mesh, orientation, fixed);
+  const auto points = mesh.points();
+  if (std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return p == points[0]; })) {
+    for (std::size_t v = 0; v < points.size(); ++v) problem.motion.fix(static_cast<Index>(v));
+  }
   if (problem.motion.moving() > 0) {
     const Setting setting{mesh, orientation, options};
     const auto choices = options.costs.empty() ? default_costs(mesh) : options.costs;

@@ -14,22 +14,28 @@ namespace {
 constexpr double kSufficient = 1e-4;  // part of the predicted decrease a step must bring
 constexpr double kFlat = 0.1;         // a slope this much smaller than at the start needs no secant
 constexpr double kRounding = 1e-13;   // relative error of a sum of costs
+constexpr double kNoMove = 1e-15;     // relative to the coordinates
 constexpr int kMostBacktracks = 12;
-constexpr int kMostLimitRounds = 40;
+constexpr int kMostLimitRounds = 15;
 constexpr int kStrikes = 3;  // vertices limited this often stay where they are
 constexpr int kFailuresBeforeLbfgs = 2;
 constexpr int kSlowAfter = 100;  // iterations in which the gradient should fall tenfold
 
+// A vertex and the part of its step that it takes; lists of them are sorted by vertex.
+using Shortened = std::pair<Index, double>;
+
 class Descent {
  public:
   Descent(Workers& workers, Objective& objective, Multigrid& preconditioner, const Flips& flips,
-          const Options& options, std::vector<Vec3>& x, Report& report)
+          const Options& options, std::vector<Vec3>& x, Report& report,
+          const std::function<bool(Points)>& observe)
       : workers_(workers),
         objective_(objective),
         preconditioner_(preconditioner),
         flips_(flips),
         options_(options),
         report_(report),
+        observe_(observe),
         x_(x),
         x_new_(x),
         g_(x.size()),
@@ -46,6 +52,11 @@ class Descent {
     start_plain_ = dot(workers_, g_, g_);
     record(0.0, 0.0, 0);
     report_.stop = Stop::iteration_limit;
+    // z is what a Newton step would move. Less than the rounding of coordinates is nothing.
+    if (largest(workers_, z_) <= kNoMove * largest(workers_, x_)) {
+      report_.stop = Stop::converged;
+      return;
+    }
     for (int i = 1;; ++i) {
       // decrement_ is about twice what the cost can still fall; below this it is lost in rounding.
       if (std::sqrt(decrement_) <= options_.tolerance * start_) {
@@ -62,6 +73,7 @@ class Descent {
 
  private:
   bool stop_requested(int next_iteration) {
+    if (observe_ && !observe_(x_)) return true;
     if (options_.progress && !options_.progress(report_.history.back())) {
       report_.stop = Stop::interrupted;
       return true;
@@ -181,14 +193,17 @@ class Descent {
   // Shortens the step of vertices around cells that it would turn over, halving until none does.
   // Returns how many vertices that took, or kRejected.
   std::size_t limit(double alpha) {
-    std::vector<Index> offenders = flips_.find(workers_, x_, x_new_);
-    if (offenders.empty()) return 0;
-    std::vector<std::pair<Index, double>> shortened;  // sorted by vertex
-    for (int round = 0; !offenders.empty(); ++round) {
-      if (round == kMostLimitRounds) return kRejected;
-      shorten(offenders, round, alpha, shortened);
-      offenders = flips_.find(workers_, x_, x_new_);
+    std::vector<Shortened> shortened;
+    // Stopping one vertex can make the next cell turn over, and so on through the mesh. Where that
+    // does not end soon the whole step is too long.
+    for (int i = 0; !shorten_until_valid(alpha, shortened); ++i) {
+      if (i == kMostBacktracks) return kRejected;
+      alpha *= 0.3;
+      add(workers_, x_, alpha, p_, x_new_);
+      shortened.clear();
+      cost_new_ = evaluate(x_new_, g_new_);
     }
+    if (shortened.empty()) return 0;
     for (const auto& [v, factor] : shortened) hold_after_strikes(v);
     cost_new_ = evaluate(x_new_, g_new_);
     if (cost_new_ <= cost_ + kRounding * std::abs(cost_)) return shortened.size();
@@ -197,10 +212,19 @@ class Descent {
     return retry_without_held(shortened.size());
   }
 
+  bool shorten_until_valid(double alpha, std::vector<Shortened>& shortened) {
+    for (int round = 0; round < kMostLimitRounds; ++round) {
+      const std::vector<Index> offenders = flips_.find(workers_, x_, x_new_);
+      if (offenders.empty()) return true;
+      shorten(offenders, round, alpha, shortened);
+    }
+    return false;
+  }
+
   void shorten(const std::vector<Index>& offenders, int round, double alpha,
-               std::vector<std::pair<Index, double>>& shortened) {
+               std::vector<Shortened>& shortened) {
     for (const Index v : offenders) {
-      auto place = std::lower_bound(shortened.begin(), shortened.end(), std::pair(v, -1.0));
+      auto place = std::lower_bound(shortened.begin(), shortened.end(), Shortened(v, -1.0));
       if (place == shortened.end() || place->first != v) {
         place = shortened.insert(place, {v, 1.0});
       }
@@ -258,6 +282,7 @@ class Descent {
   const Flips& flips_;
   const Options& options_;
   Report& report_;
+  const std::function<bool(Points)>& observe_;
   Timer timer_;
 
   std::vector<Vec3>& x_;
@@ -282,8 +307,9 @@ class Descent {
 }  // namespace
 
 void descend(Workers& workers, Objective& objective, Multigrid& preconditioner, const Flips& flips,
-             const Options& options, std::vector<Vec3>& x, Report& report) {
-  Descent(workers, objective, preconditioner, flips, options, x, report).run();
+             const Options& options, std::vector<Vec3>& x, Report& report,
+             const std::function<bool(Points x)>& observe) {
+  Descent(workers, objective, preconditioner, flips, options, x, report, observe).run();
 }
 
 }  // namespace evenmesh

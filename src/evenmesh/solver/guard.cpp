@@ -56,6 +56,23 @@ bool Guard::offends(const CellQuality& quality, std::size_t cell, Points points,
   return false;
 }
 
+double Guard::mean_shape_at(Workers& workers, Points points) const {
+  const Cells& cells = input_.cells();
+  const double sum =
+      sum_over_ranges(workers, cells.size(), [&](std::size_t first, std::size_t last) {
+        std::vector<Vec3> corners;
+        double part = 0.0;
+        for (std::size_t cell = first; cell < last; ++cell) {
+          corners.clear();
+          for (const Index v : cells.vertices(cell)) corners.push_back(points[v]);
+          part += measure(Metric::shape, cells.kind(cell), corners, orientation_.up(cell),
+                          orientation_.sign(cell));
+        }
+        return part;
+      });
+  return cells.empty() ? 0.0 : sum / static_cast<double>(cells.size());
+}
+
 std::string Guard::find_breach(Workers& workers, Points points, Judge judge) const {
   const CellQuality quality = measure_cells(workers, input_, points, orientation_);
   for (std::size_t cell = 0; cell < input_.cells().size(); ++cell) {
@@ -91,6 +108,7 @@ class Guard::Retreat {
     while (true) {
       while (mark_offenders()) retreat();
       if (judge_ == Judge::inversion || mean_shape(quality_) >= mean_shape(guard_.quality_)) return;
+      mean_fell_ = true;
       if (!mark_where_shape_fell()) return;
       retreat();
     }
@@ -100,6 +118,7 @@ class Guard::Retreat {
     return static_cast<std::size_t>(
         std::count_if(stage_.begin(), stage_.end(), [](char stage) { return stage > 0; }));
   }
+  bool mean_fell() const { return mean_fell_; }
   QualitySummary summary() const { return summarize(workers_, quality_); }
 
  private:
@@ -203,13 +222,17 @@ class Guard::Retreat {
   std::vector<char> stage_;         // per vertex: how far back it went, index into kLeft
   std::vector<char> marked_;        // per vertex: to go back one more stage
   CellQuality quality_;
+  bool mean_fell_ = false;
 };
 
 Guard::Result Guard::enforce(Workers& workers, std::vector<Vec3>& points, Judge judge,
                              const Rounding& rounding) const {
   Retreat retreat(workers, *this, points, judge, rounding);
   retreat.run();
-  Result result{.pulled_back = retreat.pulled_back(), .after = retreat.summary()};
+  Result result;
+  result.mean_fell = retreat.mean_fell();
+  result.pulled_back = retreat.pulled_back();
+  result.after = retreat.summary();
   const bool moved = !std::equal(points.begin(), points.end(), input_.points().begin());
   if (judge == Judge::inversion) {
     result.promise = Promise::lifted;

@@ -34,8 +34,12 @@ class Guard {
   /// @return  one sentence that names the first, or nothing
   std::string find_breach(Workers& workers, Points points, Judge judge) const;
 
+  /// The mean of `shape` over all cells at other positions.
+  double mean_shape_at(Workers& workers, Points points) const;
+
   struct Result {
     Promise promise = Promise::kept;
+    bool mean_fell = false;  // vertices went back because the mean of shape was lower than before
     std::size_t pulled_back = 0;
     QualitySummary after;
   };

@@ -29,14 +29,17 @@ constexpr std::string_view name(Stop stop) {
 
 /// Whether the result keeps the promise that nothing got worse, and what it took.
 enum class Promise : std::uint8_t {
-  kept,         // the minimiser itself keeps it
-  pulled_back,  // some vertices were pulled back towards where they were
-  unimproved,   // only the input itself keeps it: the mesh was left as it was
-  lifted        // Options::allow_worse: quality was not judged, inversion and fixed vertices were
+  kept,             // the minimiser itself keeps it
+  pulled_back,      // some vertices were pulled back towards where they were
+  earlier_iterate,  // from a certain iterate on the mean of shape falls: that one was kept
+                    // (and vertices may have been pulled back from there)
+  unimproved,       // only the input itself keeps it: the mesh was left as it was
+  lifted  // Options::allow_worse: quality was not judged, inversion and fixed vertices were
 };
 
 constexpr std::string_view name(Promise promise) {
-  constexpr std::string_view kNames[] = {"kept", "pulled_back", "unimproved", "lifted"};
+  constexpr std::string_view kNames[] = {"kept", "pulled_back", "earlier_iterate", "unimproved",
+                                         "lifted"};
   return kNames[static_cast<int>(promise)];
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/core.h>
@@ -40,23 +41,23 @@ void check(const Options& options) {
   }
 }
 
-// Where the solver takes the mesh, promise or not.
-std::vector<Vec3> minimise(Workers& workers, const Mesh& mesh, const Problem& problem,
-                           const Options& options, Report& report) {
-  const Timer setup;
-  const double cpu_before = cpu_seconds();
-  Objective objective(mesh, problem);
-  Multigrid preconditioner(workers, objective.majoriser(workers, mesh.points()));
-  report.multigrid_levels = preconditioner.levels();
-  report.setup_seconds += setup.seconds();
-  report.setup_cpu_seconds = cpu_seconds() - cpu_before;
-
-  const Timer solve;
-  const Flips flips(objective.layout(), mesh.points(), problem.orientation);
-  std::vector<Vec3> x(mesh.points().begin(), mesh.points().end());
-  descend(workers, objective, preconditioner, flips, options, x, report);
-  report.solve_seconds = solve.seconds();
-  return x;
+// Squares of lengths must neither vanish nor overflow.
+void check_size(const Mesh& mesh) {
+  constexpr double kSmallest = 1e-100;
+  constexpr double kGreatest = 1e100;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = -low;
+  for (const Index v : mesh.cells().corners()) {
+    low = low.cwiseMin(mesh.points()[v]);
+    high = high.cwiseMax(mesh.points()[v]);
+  }
+  if (mesh.cells().empty()) return;
+  const double size = (high - low).maxCoeff();
+  if (size == 0.0 || (size >= kSmallest && size <= kGreatest)) return;
+  throw InvalidOption(fmt::format(
+      "the mesh measures {:.3g} units across, whose square is beyond double precision; choose a "
+      "unit in which it measures between {:.0e} and {:.0e}",
+      size, kSmallest, kGreatest));
 }
 
 void count_moves(Points before, Points after, Report& report) {
@@ -71,51 +72,120 @@ void count_moves(Points before, Points after, Report& report) {
   if (report.moved > 0) report.mean_move = sum / static_cast<double>(report.moved);
 }
 
-double cost_at(Workers& workers, const Mesh& mesh, const Problem& problem, Points points) {
-  return Objective(mesh, problem).evaluate(workers, points, {});
-}
-
-// smooth() for a mesh in good order.
-Report smooth_in_order(Workers& workers, Mesh& mesh, const Problem& problem,
-                       const Options& options) {
-  Report report;
-  report.vertices = mesh.point_count();
-  report.movable = problem.motion.moving();
-
-  Timer checking;
-  const Guard guard(workers, mesh, problem.orientation);
-  report.check_seconds = checking.seconds();
-  report.quality_before = report.quality_after = guard.before();
-  if (report.movable == 0 || problem.terms.empty()) return report;
-
-  std::vector<Vec3> points = minimise(workers, mesh, problem, options, report);
-  report.cost_before = report.history.front().cost;
-  report.cost_after = report.history.back().cost;
-
-  checking = Timer();
-  const Judge judge = options.allow_worse ? Judge::inversion : Judge::quality_and_inversion;
-  const Guard::Result result = guard.enforce(workers, points, judge, options.representable);
-  report.promise = result.promise;
-  report.pulled_back = result.pulled_back;
-  report.quality_after = result.after;
-  if (result.pulled_back > 0 || options.representable) {
-    report.cost_after = cost_at(workers, mesh, problem, points);
+// smooth() for a mesh in good order, step by step.
+class Smoothing {
+ public:
+  Smoothing(Workers& workers, const Mesh& mesh, const Problem& problem, const Options& options)
+      : workers_(workers),
+        mesh_(mesh),
+        problem_(problem),
+        options_(options),
+        guard_(workers, mesh, problem.orientation) {
+    report_.vertices = mesh.point_count();
+    report_.movable = problem.motion.moving();
+    report_.quality_before = report_.quality_after = guard_.before();
+    report_.check_seconds = timer_.seconds();
+    points_.assign(mesh.points().begin(), mesh.points().end());
   }
-  count_moves(mesh.points(), points, report);
-  report.check_seconds += checking.seconds();
-  mesh.set_points(std::move(points));
-  return report;
-}
+
+  void run() {
+    if (report_.movable == 0 || problem_.terms.empty()) return;
+    timer_ = Timer();
+    const double cpu_before = cpu_seconds();
+    Objective objective(mesh_, problem_);
+    Multigrid preconditioner(workers_, objective.majoriser(workers_, points_));
+    report_.multigrid_levels = preconditioner.levels();
+    report_.setup_seconds = timer_.seconds();
+    report_.setup_cpu_seconds = cpu_seconds() - cpu_before;
+
+    const Flips flips(objective.layout(), mesh_.points(), problem_.orientation);
+    timer_ = Timer();
+    descend(workers_, objective, preconditioner, flips, options_, points_, report_);
+    report_.solve_seconds = timer_.seconds();
+    report_.cost_before = report_.history.front().cost;
+
+    timer_ = Timer();
+    Guard::Result result = guard_.enforce(workers_, points_, judge(), options_.representable);
+    if (result.mean_fell) keep_best_iterate(objective, preconditioner, flips, result);
+    report_.promise = result.promise;
+    report_.pulled_back = result.pulled_back;
+    report_.quality_after = result.after;
+    report_.cost_after = objective.evaluate(workers_, points_, {});
+    count_moves(mesh_.points(), points_, report_);
+    report_.check_seconds += timer_.seconds();
+  }
+
+  const Report& report() const { return report_; }
+  std::vector<Vec3>& points() { return points_; }
+
+ private:
+  Judge judge() const {
+    return options_.allow_worse ? Judge::inversion : Judge::quality_and_inversion;
+  }
+
+  // The minimiser has a lower mean of shape than the input: the cost and the measure disagree here.
+  // Goes the same way again, stops where the mean is highest, and takes that if it is better than
+  // what pulling back made of the minimiser.
+  void keep_best_iterate(Objective& objective, Multigrid& preconditioner, const Flips& flips,
+                         Guard::Result& result) {
+    constexpr int kPatience = 4;  // iterates without a new best
+    Report again = report_;
+    again.history.clear();
+    again.held = 0;
+    objective.motion() = problem_.motion;
+    std::vector<Vec3> x(mesh_.points().begin(), mesh_.points().end());
+    std::vector<Vec3> best = x;
+    double best_mean = guard_.before().of(Metric::shape).mean;
+    int best_number = 0;
+    int number = 0;
+    descend(workers_, objective, preconditioner, flips, options_, x, again, [&](Points iterate) {
+      const double mean = guard_.mean_shape_at(workers_, iterate);
+      if (mean > best_mean) {
+        best_mean = mean;
+        best_number = number;
+        best.assign(iterate.begin(), iterate.end());
+      }
+      return number++ < best_number + kPatience;
+    });
+    if (best_number == 0) return;
+    const Guard::Result other = guard_.enforce(workers_, best, judge(), options_.representable);
+    if (other.promise == Promise::unimproved ||
+        other.after.of(Metric::shape).mean <= result.after.of(Metric::shape).mean) {
+      return;
+    }
+    result = other;
+    result.promise = Promise::earlier_iterate;
+    points_ = std::move(best);
+    again.history.resize(static_cast<std::size_t>(best_number) + 1);
+    again.stop = report_.stop;
+    report_ = std::move(again);
+  }
+
+  Workers& workers_;
+  const Mesh& mesh_;
+  const Problem& problem_;
+  const Options& options_;
+  Timer timer_;
+  const Guard guard_;
+  Report report_;
+  std::vector<Vec3> points_;
+};
 
 }  // namespace
 
 Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
   check(options);
+  check_size(mesh);
   assert(problem.motion.size() == mesh.point_count());
   Workers workers(options.threads);
   const Timer ordering;
   std::optional<Reordered> reordered = reorder_if_poor(mesh, problem);
-  if (!reordered) return smooth_in_order(workers, mesh, problem, options);
+  if (!reordered) {
+    Smoothing smoothing(workers, mesh, problem, options);
+    smoothing.run();
+    mesh.set_points(std::move(smoothing.points()));
+    return smoothing.report();
+  }
 
   const double ordering_seconds = ordering.seconds();
   Options inner = options;
@@ -124,9 +194,11 @@ Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
       return reordered->from_original(options.representable(reordered->to_original(points)));
     };
   }
-  Report report = smooth_in_order(workers, reordered->mesh, reordered->problem, inner);
+  Smoothing smoothing(workers, reordered->mesh, reordered->problem, inner);
+  smoothing.run();
+  mesh.set_points(reordered->to_original(smoothing.points()));
+  Report report = smoothing.report();
   report.setup_seconds += ordering_seconds;
-  mesh.set_points(reordered->to_original(reordered->mesh.points()));
   return report;
 }
 

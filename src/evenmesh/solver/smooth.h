@@ -34,10 +34,12 @@ struct Options {
 /// - for every metric the worst value over the mesh is at least as good, and the mean of `shape` is
 ///   at least as high (unless options.allow_worse).
 /// Where the minimiser would break this, vertices around the offending cells are pulled back
-/// towards where they were; Report::promise says so.
+/// towards where they were; where its mean of `shape` is lower than the input's, an earlier iterate
+/// may be kept instead. Report::promise says so.
 ///
 /// The result does not depend on the number of threads, bit for bit. About 400 bytes per vertex.
-/// @throws InvalidOption  an option is outside its range
+/// @throws InvalidOption  an option is outside its range, or the mesh is so small or large that
+///                        squares of its lengths leave the range of doubles (1e-100, 1e100)
 /// @pre  the problem was made for this mesh (or one with the same connectivity)
 Report smooth(Mesh& mesh, const Problem& problem, const Options& options = {});
 
