@@ -2,34 +2,82 @@
 #include "evenmesh/solver/flips.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "evenmesh/mesh/measure.h"
+#include "evenmesh/quality/metric.h"
 
 namespace evenmesh {
+namespace {
+
+// At most the `shape` of a triangle: equal to it where its normal is along `up`.
+double shape_bound_of_triangle(Points x, std::span<const Index> t, const Vec3& up) {
+  const Vec3 a = x[t[1]] - x[t[0]];
+  const Vec3 b = x[t[2]] - x[t[0]];
+  const double squares = a.squaredNorm() + b.squaredNorm() + (b - a).squaredNorm();
+  return 2.0 * std::numbers::sqrt3 * a.cross(b).dot(up) / squares;
+}
+
+// The same for a quad: the least over its corners.
+double shape_bound_of_quad(Points x, std::span<const Index> q, const Vec3& up) {
+  double least = 1.0;
+  Vec3 before = x[q[0]] - x[q[3]];
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 after = x[q[(i + 1) % 4]] - x[q[i]];
+    const double squares = before.squaredNorm() + after.squaredNorm();
+    least = std::min(least, 2.0 * before.cross(after).dot(up) / squares);
+    before = after;
+  }
+  return least;
+}
+
+}  // namespace
+
+struct Flips::Cell {
+  CellKind kind;
+  std::span<const Index> vertices;
+  Vec3 up;
+  double sign;
+
+  double least_corner_at(Points x) const {
+    return least_corner(
+        kind, static_cast<int>(vertices.size()),
+        [&](int k) -> const Vec3& { return x[vertices[k]]; }, up, sign);
+  }
+
+  double shape_at(Points x) const {
+    std::vector<Vec3> corners;
+    for (const Index v : vertices) corners.push_back(x[v]);
+    return measure(Metric::shape, kind, corners, up, sign);
+  }
+
+  // Quick and never greater than shape_at() (NaN for a cell without size); 0 if there is no such.
+  double shape_bound_at(Points x) const {
+    if (kind == CellKind::triangle) return shape_bound_of_triangle(x, vertices, up);
+    if (kind == CellKind::quad) return shape_bound_of_quad(x, vertices, up);
+    return 0.0;
+  }
+};
+
+bool Flips::offends(const Cell& cell, Points x, Points x_new) const {
+  if (cell.shape_bound_at(x_new) > least_shape_) return false;
+  const double after = cell.least_corner_at(x_new);
+  if (after > 0.0) return least_shape_ > 0.0 && cell.shape_at(x_new) < least_shape_;
+  const double before = cell.least_corner_at(x);
+  return before > 0.0 || after < std::min(before, cell.least_corner_at(input_));
+}
 
 std::vector<Index> Flips::find(Workers& workers, Points x, Points x_new) const {
   std::vector<std::vector<Index>> found(layout_.chunks());
   layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
-    const CellKind kind = block.cells.kind;
-    const int n = block.cells.vertices_per_cell;
-    const bool surface = traits(kind).dimension == 2;
+    const bool surface = traits(block.cells.kind).dimension == 2;
     for (std::size_t i = 0; i < block.cells.size(); ++i) {
-      const auto cell = block.cells.cell(i);
       const std::uint32_t number = block.numbers[i];
-      const Vec3 up = orientation_.up(number);
-      if (surface && up.isZero()) continue;
-      const double sign = orientation_.sign(number);
-      const auto least = [&](const auto& position) {
-        return least_corner(kind, n, position, up, sign);
-      };
-      const double after = least([&](int k) -> const Vec3& { return x_new[cell[k]]; });
-      if (after > 0.0) continue;
-      const double before = least([&](int k) -> const Vec3& { return x[cell[k]]; });
-      if (before <= 0.0) {
-        const double first = least([&](int k) -> const Vec3& { return input_[cell[k]]; });
-        if (after >= std::min(before, first)) continue;
-      }
-      found[chunk].insert(found[chunk].end(), cell.begin(), cell.end());
+      const Cell cell{block.cells.kind, block.cells.cell(i), orientation_.up(number),
+                      orientation_.sign(number)};
+      if (surface && cell.up.isZero()) continue;
+      if (!offends(cell, x, x_new)) continue;
+      found[chunk].insert(found[chunk].end(), cell.vertices.begin(), cell.vertices.end());
     }
   });
   std::vector<Index> vertices;

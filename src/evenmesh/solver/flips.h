@@ -13,24 +13,32 @@
 
 namespace evenmesh {
 
-/// Finds the vertices of cells that a step would turn over.
+/// Finds the vertices of cells that a step would turn over or spoil.
 ///
-/// A step offends at a cell that is not inverted before it and is after it, and at a cell that is
-/// inverted before and after and then worse than in the input mesh. Cells without area in
-/// the input are not judged: they have no side to be turned over to.
+/// A step offends at a cell that is not inverted before it and is after it; at a cell that is
+/// inverted before and after and then worse than in the input mesh; and at a cell whose `shape`
+/// after it is below the least allowed. Cells without area in the input are not judged: they have
+/// no side to be turned over to.
 class Flips {
  public:
-  /// @param input  positions of the input mesh. All arguments must outlive the object.
-  Flips(const Layout& layout, Points input, const Orientation& orientation)
-      : layout_(layout), input_(input), orientation_(orientation) {}
+  /// @param input        positions of the input mesh
+  /// @param least_shape  in [0, 1]; 0: only inversion counts
+  /// All arguments must outlive the object.
+  Flips(const Layout& layout, Points input, const Orientation& orientation,
+        double least_shape = 0.0)
+      : layout_(layout), input_(input), orientation_(orientation), least_shape_(least_shape) {}
 
   /// Vertices, ascending and each once, of the cells at which the step from x to x_new offends.
   std::vector<Index> find(Workers& workers, Points x, Points x_new) const;
 
  private:
+  struct Cell;
+  bool offends(const Cell& cell, Points x, Points x_new) const;
+
   const Layout& layout_;
   Points input_;
   const Orientation& orientation_;
+  double least_shape_;
 };
 
 }  // namespace evenmesh
