@@ -220,7 +220,7 @@ class Run {
         break;
     }
     if (report.held > 0) {
-      text += fmt::format("; {} stopped on the way so that no cell turns over",
+      text += fmt::format("; {} stopped early so that no cell gets too bad and none leaves the surface",
                           count_of(report.held, "vertex", "vertices"));
     }
     if (report.promise == Promise::earlier_iterate) {

@@ -81,10 +81,39 @@ std::vector<Index> Flips::find(Workers& workers, Points x, Points x_new) const {
     }
   });
   std::vector<Index> vertices;
+  for (std::size_t v = 0; v < reach_.size(); ++v) {
+    const double reach = reach_[v];
+    if ((x_new[v] - input_[v]).squaredNorm() > reach * reach) {
+      vertices.push_back(static_cast<Index>(v));
+    }
+  }
   for (const auto& part : found) vertices.insert(vertices.end(), part.begin(), part.end());
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
+}
+
+std::vector<float> half_edge_reach(const Mesh& mesh) {
+  std::vector<double> sum(mesh.point_count(), 0.0);
+  std::vector<std::uint32_t> count(mesh.point_count(), 0);
+  const Cells& cells = mesh.cells();
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto cell = cells.vertices(c);
+    const int n = static_cast<int>(cell.size());
+    for (int j = 0; j < edge_count(cells.kind(c), n); ++j) {
+      const auto [a, b] = edge(cells.kind(c), n, j);
+      const double length = (mesh.points()[cell[a]] - mesh.points()[cell[b]]).norm();
+      for (const int end : {a, b}) {
+        sum[cell[end]] += length;
+        ++count[cell[end]];
+      }
+    }
+  }
+  std::vector<float> reach(mesh.point_count(), 0.0f);
+  for (std::size_t v = 0; v < reach.size(); ++v) {
+    if (count[v] > 0) reach[v] = static_cast<float>(0.5 * sum[v] / count[v]);
+  }
+  return reach;
 }
 
 }  // namespace evenmesh

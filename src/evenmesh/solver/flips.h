@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "evenmesh/base/parallel.h"
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/orientation.h"
 #include "evenmesh/solver/layout.h"
 
@@ -18,7 +20,7 @@ namespace evenmesh {
 /// A step offends at a cell that is not inverted before it and is after it; at a cell that is
 /// inverted before and after and then worse than in the input mesh; and at a cell whose `shape`
 /// after it is below the least allowed. Cells without area in the input are not judged: they have
-/// no side to be turned over to.
+/// no side to be turned over to. It also offends at a vertex that it takes out of reach.
 class Flips {
  public:
   /// @param input        positions of the input mesh
@@ -28,7 +30,11 @@ class Flips {
         double least_shape = 0.0)
       : layout_(layout), input_(input), orientation_(orientation), least_shape_(least_shape) {}
 
-  /// Vertices, ascending and each once, of the cells at which the step from x to x_new offends.
+  /// How far each vertex may get from where it is in the input (mesh length unit); empty: anywhere.
+  void set_reach(std::vector<float> reach) { reach_ = std::move(reach); }
+
+  /// Vertices, ascending and each once, of the cells (or vertices) at which the step from x to
+  /// x_new offends.
   std::vector<Index> find(Workers& workers, Points x, Points x_new) const;
 
  private:
@@ -39,6 +45,11 @@ class Flips {
   Points input_;
   const Orientation& orientation_;
   double least_shape_;
+  std::vector<float> reach_;
 };
+
+/// Half the mean length of the edges around each vertex: as far as the tangent plane of a curved
+/// surface stands in for the surface.
+std::vector<float> half_edge_reach(const Mesh& mesh);
 
 }  // namespace evenmesh

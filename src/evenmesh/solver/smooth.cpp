@@ -99,7 +99,8 @@ class Smoothing {
     report_.setup_cpu_seconds = cpu_seconds() - cpu_before;
 
     const double least_shape = options_.allow_worse ? 0.0 : guard_.before().of(Metric::shape).worst;
-    const Flips flips(objective.layout(), mesh_.points(), problem_.orientation, least_shape);
+    Flips flips(objective.layout(), mesh_.points(), problem_.orientation, least_shape);
+    if (problem_.orientation.type == MeshType::surface) flips.set_reach(half_edge_reach(mesh_));
     timer_ = Timer();
     descend(workers_, objective, preconditioner, flips, options_, points_, report_);
     report_.solve_seconds = timer_.seconds();
