@@ -16,6 +16,7 @@ constexpr double kFlat = 0.1;         // a slope this much smaller than at the s
 constexpr double kRounding = 1e-13;   // relative error of a sum of costs
 constexpr double kNoMove = 1e-15;     // relative to the coordinates
 constexpr int kMostBacktracks = 12;
+constexpr double kShortestStep = 1e-6;  // of a step that cannot be taken whole
 constexpr int kMostLimitRounds = 15;
 constexpr int kStrikes = 3;  // vertices limited this often stay where they are
 constexpr int kFailuresBeforeLbfgs = 2;
@@ -196,14 +197,14 @@ class Descent {
     std::vector<Shortened> shortened;
     // Stopping one vertex can make the next cell turn over, and so on through the mesh. Where that
     // does not end soon the whole step is too long.
-    for (int i = 0; !shorten_until_valid(alpha, shortened); ++i) {
-      if (i == kMostBacktracks) return kRejected;
+    const double whole = alpha;
+    while (!shorten_until_valid(alpha, shortened)) {
       alpha *= 0.3;
+      if (alpha < kShortestStep * whole) return kRejected;
       add(workers_, x_, alpha, p_, x_new_);
       shortened.clear();
-      cost_new_ = evaluate(x_new_, g_new_);
     }
-    if (shortened.empty()) return 0;
+    if (shortened.empty() && alpha == whole) return 0;
     for (const auto& [v, factor] : shortened) hold_after_strikes(v);
     cost_new_ = evaluate(x_new_, g_new_);
     if (cost_new_ <= cost_ + kRounding * std::abs(cost_)) return shortened.size();

@@ -116,7 +116,7 @@ class Guard::Retreat {
 
   std::size_t pulled_back() const {
     return static_cast<std::size_t>(
-        std::count_if(stage_.begin(), stage_.end(), [](char stage) { return stage > 0; }));
+        std::count_if(stage_.begin(), stage_.end(), [](int stage) { return stage > 0; }));
   }
   bool mean_fell() const { return mean_fell_; }
   QualitySummary summary() const { return summarize(workers_, quality_); }
@@ -180,7 +180,7 @@ class Guard::Retreat {
   void retreat() {
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (!marked_[v]) continue;
-      const double left = kLeft[static_cast<int>(++stage_[v])];
+      const double left = kLeft[++stage_[v]];
       const Vec3& start = guard_.input_.points()[v];
       points_[v] = left == 0.0 ? start : Vec3(start + left * (target_[v] - start));
     }
@@ -218,9 +218,9 @@ class Guard::Retreat {
   std::vector<Vec3>& points_;
   Judge judge_;
   const Rounding& rounding_;
-  const std::vector<Vec3> target_;  // where the solver wants the vertices
-  std::vector<char> stage_;         // per vertex: how far back it went, index into kLeft
-  std::vector<char> marked_;        // per vertex: to go back one more stage
+  const std::vector<Vec3> target_;   // where the solver wants the vertices
+  std::vector<std::uint8_t> stage_;  // per vertex: how far back it went, index into kLeft
+  std::vector<char> marked_;         // per vertex: to go back one more stage
   CellQuality quality_;
   bool mean_fell_ = false;
 };
