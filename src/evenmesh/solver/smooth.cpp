@@ -59,6 +59,15 @@ std::vector<Vec3> minimise(Workers& workers, const Mesh& mesh, const Problem& pr
   return x;
 }
 
+// Adding 0 turns -0 into 0. Coordinates that have not moved keep their bits.
+void restore_unmoved(Points before, std::vector<Vec3>& after) {
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (after[v][axis] == before[v][axis]) after[v][axis] = before[v][axis];
+    }
+  }
+}
+
 void count_moves(Points before, Points after, Report& report) {
   double sum = 0.0;
   for (std::size_t v = 0; v < before.size(); ++v) {
@@ -101,6 +110,7 @@ Report smooth_in_order(Workers& workers, Mesh& mesh, const Problem& problem,
   if (result.pulled_back > 0 || options.representable) {
     report.cost_after = cost_at(workers, mesh, problem, points);
   }
+  restore_unmoved(mesh.points(), points);
   count_moves(mesh.points(), points, report);
   report.check_seconds += checking.seconds();
   mesh.set_points(std::move(points));
