@@ -50,18 +50,31 @@ class Descent {
     start_plain_ = dot(workers_, g_, g_);
     record(0.0, 0.0, 0);
     report_.stop = Stop::iteration_limit;
+    if (!std::isfinite(cost_) || !std::isfinite(decrement_)) {
+      report_.stop = Stop::no_descent;  // beyond the range of double: nothing to compare with
+      return;
+    }
     // z is what a Newton step would move. Less than the rounding of coordinates is nothing.
     if (largest(workers_, z_) <= kNoMove * largest(workers_, x_)) {
       report_.stop = Stop::converged;
       return;
     }
     for (int i = 1;; ++i) {
-      // decrement_ is about twice what the cost can still fall; below this it is lost in rounding.
-      if (std::sqrt(decrement_) <= options_.tolerance * start_) {
+      if (observe_ && !observe_(x_)) return;
+      const bool go_on = !options_.progress || options_.progress(report_.history.back());
+      if (std::sqrt(twice_the_gain()) <= options_.tolerance * start_) {
         report_.stop = Stop::converged;
         return;
       }
-      if (stop_requested(i)) return;
+      if (!go_on) {
+        report_.stop = Stop::interrupted;
+        return;
+      }
+      if (out_of_time()) {
+        report_.stop = Stop::time_limit;
+        return;
+      }
+      if (i > options_.max_iterations) return;
       if (!step()) {
         report_.stop = Stop::no_descent;
         return;
@@ -70,17 +83,8 @@ class Descent {
   }
 
  private:
-  bool stop_requested(int next_iteration) {
-    if (observe_ && !observe_(x_)) return true;
-    if (options_.progress && !options_.progress(report_.history.back())) {
-      report_.stop = Stop::interrupted;
-      return true;
-    }
-    if (options_.time_limit_seconds > 0.0 && timer_.seconds() >= options_.time_limit_seconds) {
-      report_.stop = Stop::time_limit;
-      return true;
-    }
-    return next_iteration > options_.max_iterations;
+  bool out_of_time() const {
+    return options_.time_limit_seconds > 0.0 && timer_.seconds() >= options_.time_limit_seconds;
   }
 
   double evaluate(const std::vector<Vec3>& x, std::vector<Vec3>& g) {
@@ -92,8 +96,14 @@ class Descent {
   void precondition() {
     preconditioner_.apply(workers_, g_, z_);
     project(z_);
-    decrement_ = std::max(0.0, dot(workers_, g_, z_));
+    decrement_ = dot(workers_, g_, z_);
+    if (decrement_ < 0.0) decrement_ = 0.0;  // rounding; what is not a number stays so
   }
+
+  // About twice what the cost can still fall; below a part of the cost it is lost in rounding.
+  // Where springs are much stiffer than the cost, steps are far longer than 1 and the gain is as
+  // many times what the preconditioner makes of it.
+  double twice_the_gain() const { return (trial_ > 10.0 ? trial_ : 1.0) * decrement_; }
 
   void project(std::vector<Vec3>& vectors) {
     for_ranges(workers_, vectors.size(), [&](std::size_t first, std::size_t last) {

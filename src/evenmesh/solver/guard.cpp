@@ -16,11 +16,15 @@ constexpr int kShape = static_cast<int>(Metric::shape);
 constexpr double kLeft[] = {1.0, 0.5, 0.25, 0.0};
 constexpr int kAllTheWay = 3;
 
-double mean_shape(const CellQuality& quality) {
-  double sum = 0.0;
-  for (const double value : quality.values[kShape]) sum += value;
-  return quality.values[kShape].empty() ? 0.0
-                                        : sum / static_cast<double>(quality.values[kShape].size());
+// The same sum as in QualitySummary, to the bit: what is judged is what reports show.
+double mean_shape(Workers& workers, const CellQuality& quality) {
+  const std::vector<double>& values = quality.values[kShape];
+  const double sum = sum_over_ranges(workers, values.size(), [&](std::size_t i, std::size_t last) {
+    double part = 0.0;
+    for (; i < last; ++i) part += values[i];
+    return part;
+  });
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
 }  // namespace
@@ -81,7 +85,8 @@ std::string Guard::find_breach(Workers& workers, Points points, Judge judge) con
                ? fmt::format("cell {} would be inverted or more so than before", cell)
                : fmt::format("cell {} would be worse than the worst was before", cell);
   }
-  if (judge == Judge::quality_and_inversion && mean_shape(quality) < mean_shape(quality_)) {
+  if (judge == Judge::quality_and_inversion &&
+      mean_shape(workers, quality) < summary_.metrics[kShape].mean) {
     return "the mean of shape would be lower than before";
   }
   return {};
@@ -107,7 +112,8 @@ class Guard::Retreat {
   void run() {
     while (true) {
       while (mark_offenders()) retreat();
-      if (judge_ == Judge::inversion || mean_shape(quality_) >= mean_shape(guard_.quality_)) return;
+      if (judge_ == Judge::inversion) return;
+      if (mean_shape(workers_, quality_) >= guard_.summary_.metrics[kShape].mean) return;
       mean_fell_ = true;
       if (!mark_where_shape_fell()) return;
       retreat();
