@@ -15,7 +15,8 @@ constexpr double kSufficient = 1e-4;  // part of the predicted decrease a step m
 constexpr double kFlat = 0.1;         // a slope this much smaller than at the start needs no secant
 constexpr double kRounding = 1e-13;   // relative error of a sum of costs
 constexpr int kMostBacktracks = 12;
-constexpr int kMostLimitRounds = 40;
+constexpr int kLocalRounds = 8;  // of shortening single vertices, before the whole step is halved
+constexpr int kMostHalvings = 10;
 constexpr int kStrikes = 3;  // vertices limited this often stay where they are
 constexpr int kFailuresBeforeLbfgs = 2;
 constexpr int kSlowAfter = 100;  // iterations in which the gradient should fall tenfold
@@ -178,15 +179,25 @@ class Descent {
     return dot(workers_, g_new_, p_);
   }
 
-  // Shortens the step of vertices around cells that it would turn over, halving until none does.
-  // Returns how many vertices that took, or kRejected.
-  std::size_t limit(double alpha) {
+  // Shortens the step of vertices around cells that it would turn over, halving until none does;
+  // where that does not end, shortens the whole step. Returns how many vertices that took, or
+  // kRejected.
+  std::size_t limit(double& alpha) {
     std::vector<Index> offenders = flips_.find(workers_, x_, x_new_);
     if (offenders.empty()) return 0;
     std::vector<std::pair<Index, double>> shortened;  // sorted by vertex
     for (int round = 0; !offenders.empty(); ++round) {
-      if (round == kMostLimitRounds) return kRejected;
-      shorten(offenders, round, alpha, shortened);
+      if (round == kLocalRounds * kMostHalvings) return kRejected;
+      if (round > 0 && round % kLocalRounds == 0) {
+        // Vertices that stay behind turn over cells of those that do not, and so on outwards: the
+        // step is many cells long, and no few vertices are to blame.
+        alpha *= 0.5;
+        shortened.clear();
+        add(workers_, x_, alpha, p_, x_new_);
+        offenders = flips_.find(workers_, x_, x_new_);
+        if (offenders.empty()) break;
+      }
+      shorten(offenders, round % kLocalRounds, alpha, shortened);
       offenders = flips_.find(workers_, x_, x_new_);
     }
     for (const auto& [v, factor] : shortened) hold_after_strikes(v);
