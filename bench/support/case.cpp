@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "evenmesh/base/error.h"
@@ -11,9 +12,26 @@
 #include "tests/support/shapes.h"
 
 namespace evenmesh::bench {
+namespace {
+
+/// The same mesh pushed to and fro in one long wave that leaves the boundary where it is.
+Mesh bent(const Mesh& mesh) {
+  std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
+  for (Vec3& p : points) {
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    const double wave = 0.1 * std::sin(kTurn * p.x()) * std::sin(kTurn * p.y());
+    p.head<2>() += wave * Eigen::Vector2d(1.0, 0.7);
+  }
+  Mesh result = mesh;
+  result.set_points(std::move(points));
+  return result;
+}
+
+}  // namespace
 
 Mesh make_case_mesh(std::string_view name, std::size_t vertices) {
   if (name == "triangles") return shapes::irregular_triangles(vertices);
+  if (name == "triangles_bent") return bent(shapes::irregular_triangles(vertices));
   if (name == "triangles_shuffled") {
     return shapes::shuffled(shapes::irregular_triangles(vertices), 1);
   }
@@ -22,7 +40,7 @@ Mesh make_case_mesh(std::string_view name, std::size_t vertices) {
     return shapes::quad_grid(static_cast<int>(std::max(n, 1L)), 1.0, 0.25);
   }
   throw InvalidOption("there is no case named '" + std::string(name) +
-                      "'; known are triangles, triangles_shuffled, quads");
+                      "'; known are triangles, triangles_bent, triangles_shuffled, quads");
 }
 
 std::vector<char> boundary_of(const Mesh& mesh, const Orientation& orientation) {

@@ -14,7 +14,9 @@ namespace evenmesh::bench {
 /// A mesh that benchmarks know by name, with about that many vertices:
 ///
 ///   triangles           the unit square, irregular triangles, vertices row by row
-///   triangles_shuffled  the same with vertices and cells in random order
+///   triangles_bent      the same displaced along a long wave by up to a tenth of the square: at a
+///                       million vertices, a hundred cells
+///   triangles_shuffled  triangles with vertices and cells in random order
 ///   quads               the unit square, quads displaced by up to a quarter of their width
 ///
 /// @throws InvalidOption  there is no such case
