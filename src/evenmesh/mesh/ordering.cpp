@@ -91,10 +91,10 @@ Graph renumbered(const Cells& cells, std::span<const Index> number) {
   graph.start.reserve(cells.size() + 1);
   graph.start.push_back(0);
   graph.corners.reserve(cells.corners().size());
-  for (const std::uint32_t c : sort_cells(cells, number)) {
-    for (const Index v : cells.vertices(c)) graph.corners.push_back(number[v]);
+  for_cells_in(sort_cells(cells, number), cells, [&](std::span<const Index> cell, std::uint32_t) {
+    for (const Index v : cell) graph.corners.push_back(number[v]);
     graph.start.push_back(graph.corners.size());
-  }
+  });
   return graph;
 }
 

@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t kBlockBits = 12;
 constexpr std::size_t kBlockSize = std::size_t{1} << kBlockBits;
 
+constexpr std::size_t kUsesAhead = 64;  // as long as it takes memory to answer
+
 constexpr Index kNone = std::numeric_limits<Index>::max();  // no mesh has that vertex
 
 /// What tells a face from every other: its distinct vertices in increasing order.
@@ -179,7 +181,8 @@ FaceVertices face_vertices(const Cells& cells, std::size_t cell, std::size_t num
 }
 
 void for_each_side(const Cells& cells, std::size_t vertex_count, int dimension,
-                   const std::function<void(const Side&)>& visit) {
+                   const std::function<void(const Side&)>& visit,
+                   const std::function<void(std::uint32_t cell)>& expect) {
   assert(dimension == 2 || dimension == 3);
   if (cells.size() >= std::numeric_limits<std::uint32_t>::max()) {
     throw InvalidMesh(fmt::format("{} cells are more than 32-bit numbers can count", cells.size()));
@@ -199,9 +202,12 @@ void for_each_side(const Cells& cells, std::size_t vertex_count, int dimension,
   for (std::size_t block = 0; block < blocks; ++block) {
     sort_block(std::span(uses).subspan(block_begin, ends[block] - block_begin), sorted, place_ends);
     block_begin = ends[block];
+    std::size_t expected = 0;
     std::size_t begin = 0;
     for (std::size_t place = 0; place < kBlockSize; ++place) {
       const auto first = static_cast<Index>((block << kBlockBits) + place);
+      const std::size_t ahead = std::min(place_ends[place] + kUsesAhead, sorted.size());
+      for (; expect && expected < ahead; ++expected) expect(sorted[expected].cell);
       visit_sides_of_vertex(first, dimension,
                             std::span(sorted).subspan(begin, place_ends[place] - begin), faces,
                             visit);

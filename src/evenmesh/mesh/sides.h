@@ -54,8 +54,11 @@ FaceVertices face_vertices(const Cells& cells, std::size_t cell, std::size_t fac
 ///
 /// Time linear for any mesh whose vertices have a bounded number of sides, and no more than twice
 /// as long for vertices numbered at random; 12 bytes per use of a side while it runs.
+/// @param expect  if given, called for every use of a side some sides before visit gets it: what is
+///                known of cells can be far apart in memory, and asked for here
 /// @throws InvalidMesh  there are more than 2^32 - 2 cells
 void for_each_side(const Cells& cells, std::size_t vertex_count, int dimension,
-                   const std::function<void(const Side&)>& visit);
+                   const std::function<void(const Side&)>& visit,
+                   const std::function<void(std::uint32_t cell)>& expect = {});
 
 }  // namespace evenmesh

@@ -61,7 +61,7 @@ std::vector<VertexPair> mark_edges(const Mesh& mesh, std::span<const Vec3> norma
   const double cosine = std::cos(feature_angle_rad);
   std::vector<VertexPair> curves;
   Twins twins(cells);
-  for_each_side(cells, mesh.point_count(), 2, [&](const Side& side) {
+  const auto visit = [&](const Side& side) {
     const VertexPair edge{side.first, side.uses[0].second};
     bool on_curve = false;
     const auto count = [&](bool is_one, std::size_t& sides, std::vector<char>& flags) {
@@ -78,7 +78,9 @@ std::vector<VertexPair> mark_edges(const Mesh& mesh, std::span<const Vec3> norma
     count(bent, result.feature_sides, result.features);
     count(is_between_groups(side, cells), result.interface_sides, result.interface);
     if (on_curve) curves.push_back(edge);
-  });
+  };
+  for_each_side(cells, mesh.point_count(), 2, visit,
+                [&](std::uint32_t cell) { twins.expect(cell); });
   return curves;
 }
 

@@ -18,6 +18,9 @@ class Twins {
  public:
   explicit Twins(const Cells& cells);
 
+  /// Says that a cell will be asked about soon.
+  void expect(std::uint32_t cell) const { __builtin_prefetch(&hashes_[cell]); }
+
   bool are_twins(std::uint32_t a, std::uint32_t b) {
     return hashes_[a] == hashes_[b] && have_same_vertices(a, b);
   }

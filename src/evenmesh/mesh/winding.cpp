@@ -17,6 +17,12 @@ class Forest {
   explicit Forest(Winding& winding)
       : parent_(winding.piece), reversed_(winding.reversed), twisted_(winding.twisted) {}
 
+  /// Says that a cell will be joined soon.
+  void expect(std::uint32_t cell) const {
+    __builtin_prefetch(&parent_[cell], 1);
+    __builtin_prefetch(&reversed_[cell], 1);
+  }
+
   void join(std::uint32_t a, std::uint32_t b, bool opposed) {
     const auto [root_a, reversed_a] = root(a);
     const auto [root_b, reversed_b] = root(b);
@@ -78,14 +84,19 @@ Winding find_winding(const Cells& cells, std::size_t vertex_count, int dimension
 
   Forest forest(winding);
   Twins twins(cells);
-  for_each_side(cells, vertex_count, dimension, [&](const Side& side) {
+  const auto expect = [&](std::uint32_t cell) {
+    twins.expect(cell);
+    forest.expect(cell);
+  };
+  const auto visit = [&](const Side& side) {
     if (!side.is_shared_by_two()) return;
     const SideUse& a = side.uses[0];
     const SideUse& b = side.uses[1];
     if (!mute.empty() && (mute[a.cell] || mute[b.cell])) return;
     if (twins.are_twins(a.cell, b.cell)) return;
     forest.join(a.cell, b.cell, a.forward == b.forward);
-  });
+  };
+  for_each_side(cells, vertex_count, dimension, visit, expect);
   forest.flatten();
   return winding;
 }

@@ -139,14 +139,16 @@ void check_for_collapse(const Mesh& mesh, const Problem& problem) {
   constexpr Index kNone = ~Index{0};
   std::vector<Index> anchor(mesh.point_count(), kNone);  // per piece: a fixed vertex
   std::vector<char> held(mesh.point_count(), 0);         // per piece: two fixed places
-  for (const Index v : cells.corners()) {
+  // By vertices rather than by cells: in their order, and each once. One that no cell uses is a
+  // piece of its own, and fixed.
+  for (Index v = 0; v < mesh.point_count(); ++v) {
     if (problem.motion.freedom(v) != Motion::Freedom::fixed) continue;
     const Index root = find_root(parent, v);
     if (anchor[root] == kNone) anchor[root] = v;
     if (mesh.points()[anchor[root]] != mesh.points()[v]) held[root] = 1;
   }
-  for (const Index v : cells.corners()) {
-    if (held[find_root(parent, v)] || problem.motion.freedom(v) == Motion::Freedom::fixed) continue;
+  for (Index v = 0; v < mesh.point_count(); ++v) {
+    if (problem.motion.freedom(v) == Motion::Freedom::fixed || held[find_root(parent, v)]) continue;
     throw InvalidOption(fmt::format(
         "nothing keeps the piece of the mesh around vertex {} from shrinking to a point: its "
         "costs are least at size 0 and it has not two fixed vertices; fix some (--fix boundary), "

@@ -39,13 +39,13 @@ std::optional<Reordered> reorder_if_poor(const Mesh& mesh, const Problem& proble
   Cells sorted;
   sorted.reserve(cells.size(), cells.corners().size());
   std::vector<Index> vertices;
-  for (const std::uint32_t c : ordering.cells) {
+  for_cells_in(ordering.cells, cells, [&](std::span<const Index> cell, std::uint32_t c) {
     vertices.clear();
-    for (const Index v : cells.vertices(c)) vertices.push_back(number[v]);
+    for (const Index v : cell) vertices.push_back(number[v]);
     sorted.add(cells.kind(c), vertices);
     if (!from.signs.empty()) to.signs.push_back(from.signs[c]);
     if (!from.normals.empty()) to.normals.push_back(from.normals[c]);
-  }
+  });
   result.mesh = Mesh(result.from_original(mesh.points()), std::move(sorted));
   return result;
 }

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "bench/support/case.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "evenmesh/base/error.h"
+#include "evenmesh/mesh/topology.h"
+#include "tests/support/shapes.h"
+
+namespace evenmesh::bench {
+namespace {
+
+/// The same mesh pushed to and fro in one long wave that leaves the boundary where it is.
+Mesh bent(const Mesh& mesh) {
+  std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
+  for (Vec3& p : points) {
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    const double wave = 0.1 * std::sin(kTurn * p.x()) * std::sin(kTurn * p.y());
+    p.head<2>() += wave * Eigen::Vector2d(1.0, 0.7);
+  }
+  Mesh result = mesh;
+  result.set_points(std::move(points));
+  return result;
+}
+
+}  // namespace
+
+Mesh make_case_mesh(std::string_view name, std::size_t vertices) {
+  if (name == "triangles") return shapes::irregular_triangles(vertices);
+  if (name == "triangles_bent") return bent(shapes::irregular_triangles(vertices));
+  if (name == "triangles_shuffled") {
+    return shapes::shuffled(shapes::irregular_triangles(vertices), 1);
+  }
+  if (name == "quads") {
+    const auto n = std::lround(std::sqrt(static_cast<double>(vertices))) - 1;
+    return shapes::quad_grid(static_cast<int>(std::max(n, 1L)), 1.0, 0.25);
+  }
+  throw InvalidOption("there is no case named '" + std::string(name) +
+                      "'; known are triangles, triangles_bent, triangles_shuffled, quads");
+}
+
+std::vector<char> boundary_of(const Mesh& mesh, const Orientation& orientation) {
+  return find_topology(mesh, orientation).boundary;
+}
+
+Problem make_case_problem(const Mesh& mesh) {
+  Orientation orientation = find_orientation(mesh);
+  const std::vector<char> fixed = boundary_of(mesh, orientation);
+  return make_problem(mesh, std::move(orientation), fixed);
+}
+
+double median(std::vector<double> values) {
+  assert(!values.empty());
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace evenmesh::bench
