@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/base/timer.h"
 
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
 #include <sys/resource.h>
 
 namespace evenmesh {
@@ -15,9 +19,13 @@ double cpu_seconds() {
 }
 
 std::uint64_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts kibibytes
+  // Not getrusage(): its peak is inherited from the parent across exec.
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with("VmHWM:")) continue;
+    return std::strtoull(line.c_str() + 6, nullptr, 10) * 1024;  // the kernel counts kibibytes
+  }
+  return 0;
 }
 
 }  // namespace evenmesh

@@ -213,7 +213,10 @@ class Descent {
     }
     const std::size_t limited = shortened.size();
     if (limited == 0 && alpha == whole) return 0;
-    for (const Index v : shortened) hold_after_strikes(v);
+    // A step too long for everybody says nothing about single vertices.
+    if (alpha == whole) {
+      for (const Index v : shortened) hold_after_strikes(v);
+    }
     cost_new_ = evaluate(x_new_, g_new_);
     const bool lower = cost_new_ <= cost_ + kRounding * std::abs(cost_);
     if (!lower) {
