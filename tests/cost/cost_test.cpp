@@ -261,13 +261,13 @@ TEST(LengthFromSize, IsTheEdgeLengthOfAnIdealMesh) {
   Cells cells;
   cells.add(CellKind::quad, std::vector<Index>{0, 1, 2, 3});
   const Mesh square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, std::move(cells));
-  EXPECT_DOUBLE_EQ(length_from_size(square, Vec3(0, 0, 1)), 2.0);
+  EXPECT_DOUBLE_EQ(length_from_size(square, find_orientation(square)), 2.0);
   for (const CellKind kind : {CellKind::tet, CellKind::hex, CellKind::wedge, CellKind::pyramid}) {
     const Sample sample = disturbed(kind, traits(kind).vertices, 0.0);
     Cells one;
     one.add(kind, sample.cell);
-    EXPECT_NEAR(length_from_size(Mesh(sample.points, std::move(one)), Vec3::Zero()), 1.0, 1e-14)
-        << traits(kind).name;
+    const Mesh mesh(sample.points, std::move(one));
+    EXPECT_NEAR(length_from_size(mesh, find_orientation(mesh)), 1.0, 1e-14) << traits(kind).name;
   }
 }
 

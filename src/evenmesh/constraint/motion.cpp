@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "evenmesh/geometry/area.h"
+#include "evenmesh/mesh/extent.h"
 
 namespace evenmesh {
 namespace {
@@ -14,9 +15,13 @@ std::vector<Vec3> tangent_plane_normals(const Mesh& mesh) {
   const Cells& cells = mesh.cells();
   std::vector<Vec3> areas(cells.size());
   std::vector<Vec3> corners;
+  // Areas and their products must not leave the range of double, whatever the unit of length.
+  const double half = extent_of(mesh.points(), cells.corners()).half();
+  const double unit = half > 0.0 ? half : 1.0;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     corners.clear();
-    for (const Index v : cells.vertices(c)) corners.push_back(mesh.points()[v]);
+    const Vec3& first = mesh.points()[cells.vertices(c)[0]];
+    for (const Index v : cells.vertices(c)) corners.push_back((mesh.points()[v] - first) / unit);
     areas[c] = area_vector(corners);
   }
   // Files wind neighbouring cells either way. The greatest cell around a vertex says which way its

@@ -58,10 +58,9 @@ double mean_edge_length(const Mesh& mesh) {
   return count == 0 ? 0.0 : sum / static_cast<double>(count);
 }
 
-double length_from_size(const Mesh& mesh, const Vec3& normal) {
+double length_from_size(const Mesh& mesh, const Orientation& orientation) {
   const Cells& cells = mesh.cells();
-  int dimension = 2;
-  for (const CellKind kind : cells.kinds()) dimension = std::max(dimension, traits(kind).dimension);
+  const int dimension = orientation.type == MeshType::volume ? 3 : 2;
   double size = 0.0;
   double ideal = 0.0;
   std::vector<Vec3> corners;
@@ -71,10 +70,10 @@ double length_from_size(const Mesh& mesh, const Vec3& normal) {
     for (const Index v : cells.vertices(c)) corners.push_back(mesh.points()[v]);
     ideal += ideal_measure(cells.kind(c), static_cast<int>(corners.size()));
     if (dimension == 3) {
-      size += cell_volume(cells.kind(c), corners);
+      size += orientation.sign(c) * cell_volume(cells.kind(c), corners);
     } else {
       const Vec3 area = area_vector(corners);
-      size += normal.isZero() ? area.norm() : area.dot(normal);
+      size += orientation.type == MeshType::planar ? area.dot(orientation.up(c)) : area.norm();
     }
   }
   return ideal > 0.0 ? std::pow(std::abs(size) / ideal, 1.0 / dimension) : 0.0;

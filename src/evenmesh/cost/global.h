@@ -3,6 +3,7 @@
 
 #include "evenmesh/cost/cost.h"
 #include "evenmesh/mesh/mesh.h"
+#include "evenmesh/mesh/orientation.h"
 
 namespace evenmesh {
 
@@ -44,8 +45,9 @@ double mean_edge_length(const Mesh& mesh);
 ///
 ///   L^d = |total signed measure| / sum over cells of the measure of the ideal cell with edges 1
 ///
-/// Surface cells count with their own (unsigned) area unless the mesh is planar.
-/// @param normal  the plane's normal for a planar mesh, zero otherwise
-double length_from_size(const Mesh& mesh, const Vec3& normal);
+/// A cell that is turned over counts negatively, whichever way the file winds its cells; those of a
+/// surface count with their own (unsigned) area.
+/// @param orientation  of the same mesh
+double length_from_size(const Mesh& mesh, const Orientation& orientation);
 
 }  // namespace evenmesh

@@ -47,7 +47,7 @@ double least_corner(CellKind kind, int vertices, const VertexPosition& vertex, c
   double least = std::numeric_limits<double>::infinity();
   const CellTraits& table = traits(kind);
   for (const CellTraits::Corner& corner : table.corners) {
-    const Vec3 at = vertex(corner.vertex);
+    const Vec3& at = vertex(corner.vertex);
     const Vec3 normal =
         (vertex(corner.neighbours[0]) - at).cross(vertex(corner.neighbours[1]) - at);
     const double value = table.dimension == 2

@@ -2,6 +2,7 @@
 #include "evenmesh/mesh/ordering.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -11,6 +12,9 @@ namespace {
 
 // Vertices whose numbers differ by less than this share cache lines of the second level.
 constexpr Index kNear = 8192;
+
+// Points that are closer together than this count as one place.
+constexpr double kLeastSize = std::numeric_limits<double>::min();
 
 // Connectivity alone, in any numbering.
 struct Graph {
@@ -40,10 +44,11 @@ std::vector<Index> along_a_space_filling_curve(Points points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const double size = std::max((high - low).maxCoeff(), std::numeric_limits<double>::min());
+  // Halves, because the difference of two large numbers may be infinite.
+  const double half = std::max((high / 2.0 - low / 2.0).maxCoeff(), kLeastSize);
   std::vector<std::pair<std::uint64_t, Index>> keys(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
-    const Vec3 unit = (points[v] - low) / size;
+    const Vec3 unit = (points[v] / 2.0 - low / 2.0) / half;
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double scaled = std::clamp(unit[axis], 0.0, 1.0) * 0x1fffff;

@@ -25,12 +25,16 @@ struct Setting {
   const ProblemOptions& options;
 };
 
-// At least one planar cell in a hundred turned over is a tangled mesh, whose edges are too long.
+// A mesh of which more than one cell in a hundred is turned over is tangled, its edges too long.
 double default_global_length(const Setting& in) {
   const Cells& cells = in.mesh.cells();
+  const int dimension = in.orientation.type == MeshType::volume ? 3 : 2;
+  std::size_t judged = 0;
   std::size_t inverted = 0;
   std::vector<Vec3> corners;
   for (std::size_t c = 0; c < cells.size() && in.orientation.type != MeshType::surface; ++c) {
+    if (traits(cells.kind(c)).dimension != dimension) continue;
+    ++judged;
     corners.clear();
     for (const Index v : cells.vertices(c)) corners.push_back(in.mesh.points()[v]);
     const double size = in.orientation.type == MeshType::planar
@@ -38,8 +42,8 @@ double default_global_length(const Setting& in) {
                             : in.orientation.sign(c) * cell_volume(cells.kind(c), corners);
     if (size <= 0.0) ++inverted;
   }
-  return inverted * 100 > cells.size() ? length_from_size(in.mesh, in.orientation.normal)
-                                       : mean_edge_length(in.mesh);
+  return inverted * 100 > judged ? length_from_size(in.mesh, in.orientation)
+                                 : mean_edge_length(in.mesh);
 }
 
 struct Registered {

@@ -16,13 +16,11 @@ constexpr double kFlat = 0.1;         // a slope this much smaller than at the s
 constexpr double kRounding = 1e-13;   // relative error of a sum of costs
 constexpr double kNoMove = 1e-15;     // relative to the coordinates
 constexpr int kMostBacktracks = 12;
+constexpr double kShortestStep = 1e-6;  // of a step that cannot be taken whole
 constexpr int kMostLimitRounds = 15;
 constexpr int kStrikes = 3;  // vertices limited this often stay where they are
 constexpr int kFailuresBeforeLbfgs = 2;
 constexpr int kSlowAfter = 100;  // iterations in which the gradient should fall tenfold
-
-// A vertex and the part of its step that it takes; lists of them are sorted by vertex.
-using Shortened = std::pair<Index, double>;
 
 class Descent {
  public:
@@ -52,18 +50,31 @@ class Descent {
     start_plain_ = dot(workers_, g_, g_);
     record(0.0, 0.0, 0);
     report_.stop = Stop::iteration_limit;
+    if (!std::isfinite(cost_) || !std::isfinite(decrement_)) {
+      report_.stop = Stop::no_descent;  // beyond the range of double: nothing to compare with
+      return;
+    }
     // z is what a Newton step would move. Less than the rounding of coordinates is nothing.
     if (largest(workers_, z_) <= kNoMove * largest(workers_, x_)) {
       report_.stop = Stop::converged;
       return;
     }
     for (int i = 1;; ++i) {
-      // decrement_ is about twice what the cost can still fall; below this it is lost in rounding.
-      if (std::sqrt(decrement_) <= options_.tolerance * start_) {
+      if (observe_ && !observe_(x_)) return;
+      const bool go_on = !options_.progress || options_.progress(report_.history.back());
+      if (std::sqrt(twice_the_gain()) <= options_.tolerance * start_) {
         report_.stop = Stop::converged;
         return;
       }
-      if (stop_requested(i)) return;
+      if (!go_on) {
+        report_.stop = Stop::interrupted;
+        return;
+      }
+      if (out_of_time()) {
+        report_.stop = Stop::time_limit;
+        return;
+      }
+      if (i > options_.max_iterations) return;
       if (!step()) {
         report_.stop = Stop::no_descent;
         return;
@@ -72,17 +83,8 @@ class Descent {
   }
 
  private:
-  bool stop_requested(int next_iteration) {
-    if (observe_ && !observe_(x_)) return true;
-    if (options_.progress && !options_.progress(report_.history.back())) {
-      report_.stop = Stop::interrupted;
-      return true;
-    }
-    if (options_.time_limit_seconds > 0.0 && timer_.seconds() >= options_.time_limit_seconds) {
-      report_.stop = Stop::time_limit;
-      return true;
-    }
-    return next_iteration > options_.max_iterations;
+  bool out_of_time() const {
+    return options_.time_limit_seconds > 0.0 && timer_.seconds() >= options_.time_limit_seconds;
   }
 
   double evaluate(const std::vector<Vec3>& x, std::vector<Vec3>& g) {
@@ -94,8 +96,14 @@ class Descent {
   void precondition() {
     preconditioner_.apply(workers_, g_, z_);
     project(z_);
-    decrement_ = std::max(0.0, dot(workers_, g_, z_));
+    decrement_ = dot(workers_, g_, z_);
+    if (decrement_ < 0.0) decrement_ = 0.0;  // rounding; what is not a number stays so
   }
+
+  // About twice what the cost can still fall; below a part of the cost it is lost in rounding.
+  // Where springs are much stiffer than the cost, steps are far longer than 1 and the gain is as
+  // many times what the preconditioner makes of it.
+  double twice_the_gain() const { return (trial_ > 10.0 ? trial_ : 1.0) * decrement_; }
 
   void project(std::vector<Vec3>& vectors) {
     for_ranges(workers_, vectors.size(), [&](std::size_t first, std::size_t last) {
@@ -193,26 +201,31 @@ class Descent {
   // Shortens the step of vertices around cells that it would turn over, halving until none does.
   // Returns how many vertices that took, or kRejected.
   std::size_t limit(double alpha) {
-    std::vector<Shortened> shortened;
+    std::vector<Index> shortened;
     // Stopping one vertex can make the next cell turn over, and so on through the mesh. Where that
     // does not end soon the whole step is too long.
-    for (int i = 0; !shorten_until_valid(alpha, shortened); ++i) {
-      if (i == kMostBacktracks) return kRejected;
+    const double whole = alpha;
+    while (!shorten_until_valid(alpha, shortened)) {
+      forget_shortened(shortened);
       alpha *= 0.3;
+      if (alpha < kShortestStep * whole) return kRejected;
       add(workers_, x_, alpha, p_, x_new_);
-      shortened.clear();
-      cost_new_ = evaluate(x_new_, g_new_);
     }
-    if (shortened.empty()) return 0;
-    for (const auto& [v, factor] : shortened) hold_after_strikes(v);
+    const std::size_t limited = shortened.size();
+    if (limited == 0 && alpha == whole) return 0;
+    for (const Index v : shortened) hold_after_strikes(v);
     cost_new_ = evaluate(x_new_, g_new_);
-    if (cost_new_ <= cost_ + kRounding * std::abs(cost_)) return shortened.size();
-    // What the others gain does not make up for it: go without these vertices.
-    for (const auto& [v, factor] : shortened) hold(v);
-    return retry_without_held(shortened.size());
+    const bool lower = cost_new_ <= cost_ + kRounding * std::abs(cost_);
+    if (!lower) {
+      // What the others gain does not make up for it: go without these vertices.
+      for (const Index v : shortened) hold(v);
+      retry_without_held();
+    }
+    forget_shortened(shortened);
+    return limited;
   }
 
-  bool shorten_until_valid(double alpha, std::vector<Shortened>& shortened) {
+  bool shorten_until_valid(double alpha, std::vector<Index>& shortened) {
     for (int round = 0; round < kMostLimitRounds; ++round) {
       const std::vector<Index> offenders = flips_.find(workers_, x_, x_new_);
       if (offenders.empty()) return true;
@@ -222,15 +235,18 @@ class Descent {
   }
 
   void shorten(const std::vector<Index>& offenders, int round, double alpha,
-               std::vector<Shortened>& shortened) {
+               std::vector<Index>& shortened) {
+    if (part_.empty()) part_.assign(x_.size(), 1.0f);
     for (const Index v : offenders) {
-      auto place = std::lower_bound(shortened.begin(), shortened.end(), Shortened(v, -1.0));
-      if (place == shortened.end() || place->first != v) {
-        place = shortened.insert(place, {v, 1.0});
-      }
-      place->second = round < 4 ? 0.5 * place->second : 0.0;
-      x_new_[v] = x_[v] + place->second * alpha * p_[v];
+      if (part_[v] == 1.0f) shortened.push_back(v);
+      part_[v] = round < 4 ? 0.5f * part_[v] : 0.0f;
+      x_new_[v] = x_[v] + part_[v] * alpha * p_[v];
     }
+  }
+
+  void forget_shortened(std::vector<Index>& shortened) {
+    for (const Index v : shortened) part_[v] = 1.0f;
+    shortened.clear();
   }
 
   void hold_after_strikes(Index v) {
@@ -244,19 +260,17 @@ class Descent {
     ++report_.held;
   }
 
-  std::size_t retry_without_held(std::size_t limited) {
+  void retry_without_held() {
     conjugate_.restart();
     lbfgs_.restart();
     double alpha = trial_;
     for (int i = 0; i < kMostBacktracks; ++i, alpha *= 0.5) {
       try_step(alpha);
-      if (cost_new_ > cost_ || !flips_.find(workers_, x_, x_new_).empty()) continue;
-      return limited;
+      if (cost_new_ <= cost_ && flips_.find(workers_, x_, x_new_).empty()) return;
     }
     // Nothing gained this way either; the next direction starts afresh from where we are.
     x_new_ = x_;
     cost_new_ = evaluate(x_new_, g_new_);
-    return limited;
   }
 
   void record(double step, double max_move, std::size_t limited) {
@@ -290,6 +304,7 @@ class Descent {
   std::vector<Vec3> g_, g_new_;  // after a step g_new_ holds the previous gradient
   std::vector<Vec3> z_, p_;
   std::vector<std::uint8_t> strikes_;
+  std::vector<float> part_;  // of its step that a vertex takes, 1 but while limit() is at work
   double cost_ = 0.0;
   double cost_new_ = 0.0;
   double decrement_ = 0.0;  // g.z

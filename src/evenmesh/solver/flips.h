@@ -33,6 +33,9 @@ class Flips {
   /// How far each vertex may get from where it is in the input (mesh length unit); empty: anywhere.
   void set_reach(std::vector<float> reach) { reach_ = std::move(reach); }
 
+  /// Lets every step pass.
+  void allow_everything(bool allow) { allow_everything_ = allow; }
+
   /// Vertices, ascending and each once, of the cells (or vertices) at which the step from x to
   /// x_new offends.
   std::vector<Index> find(Workers& workers, Points x, Points x_new) const;
@@ -46,6 +49,7 @@ class Flips {
   const Orientation& orientation_;
   double least_shape_;
   std::vector<float> reach_;
+  bool allow_everything_ = false;
 };
 
 /// Half the mean length of the edges around each vertex: as far as the tangent plane of a curved

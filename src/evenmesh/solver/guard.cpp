@@ -16,11 +16,15 @@ constexpr int kShape = static_cast<int>(Metric::shape);
 constexpr double kLeft[] = {1.0, 0.5, 0.25, 0.0};
 constexpr int kAllTheWay = 3;
 
-double mean_shape(const CellQuality& quality) {
-  double sum = 0.0;
-  for (const double value : quality.values[kShape]) sum += value;
-  return quality.values[kShape].empty() ? 0.0
-                                        : sum / static_cast<double>(quality.values[kShape].size());
+// The same sum as in QualitySummary, to the bit: what is judged is what reports show.
+double mean_shape(Workers& workers, const CellQuality& quality) {
+  const std::vector<double>& values = quality.values[kShape];
+  const double sum = sum_over_ranges(workers, values.size(), [&](std::size_t i, std::size_t last) {
+    double part = 0.0;
+    for (; i < last; ++i) part += values[i];
+    return part;
+  });
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
 }  // namespace
@@ -81,7 +85,8 @@ std::string Guard::find_breach(Workers& workers, Points points, Judge judge) con
                ? fmt::format("cell {} would be inverted or more so than before", cell)
                : fmt::format("cell {} would be worse than the worst was before", cell);
   }
-  if (judge == Judge::quality_and_inversion && mean_shape(quality) < mean_shape(quality_)) {
+  if (judge == Judge::quality_and_inversion &&
+      mean_shape(workers, quality) < summary_.metrics[kShape].mean) {
     return "the mean of shape would be lower than before";
   }
   return {};
@@ -107,7 +112,8 @@ class Guard::Retreat {
   void run() {
     while (true) {
       while (mark_offenders()) retreat();
-      if (judge_ == Judge::inversion || mean_shape(quality_) >= mean_shape(guard_.quality_)) return;
+      if (judge_ == Judge::inversion) return;
+      if (mean_shape(workers_, quality_) >= guard_.summary_.metrics[kShape].mean) return;
       mean_fell_ = true;
       if (!mark_where_shape_fell()) return;
       retreat();
@@ -116,7 +122,7 @@ class Guard::Retreat {
 
   std::size_t pulled_back() const {
     return static_cast<std::size_t>(
-        std::count_if(stage_.begin(), stage_.end(), [](char stage) { return stage > 0; }));
+        std::count_if(stage_.begin(), stage_.end(), [](int stage) { return stage > 0; }));
   }
   bool mean_fell() const { return mean_fell_; }
   QualitySummary summary() const { return summarize(workers_, quality_); }
@@ -180,7 +186,7 @@ class Guard::Retreat {
   void retreat() {
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (!marked_[v]) continue;
-      const double left = kLeft[static_cast<int>(++stage_[v])];
+      const double left = kLeft[++stage_[v]];
       const Vec3& start = guard_.input_.points()[v];
       points_[v] = left == 0.0 ? start : Vec3(start + left * (target_[v] - start));
     }
@@ -218,9 +224,9 @@ class Guard::Retreat {
   std::vector<Vec3>& points_;
   Judge judge_;
   const Rounding& rounding_;
-  const std::vector<Vec3> target_;  // where the solver wants the vertices
-  std::vector<char> stage_;         // per vertex: how far back it went, index into kLeft
-  std::vector<char> marked_;        // per vertex: to go back one more stage
+  const std::vector<Vec3> target_;   // where the solver wants the vertices
+  std::vector<std::uint8_t> stage_;  // per vertex: how far back it went, index into kLeft
+  std::vector<char> marked_;         // per vertex: to go back one more stage
   CellQuality quality_;
   bool mean_fell_ = false;
 };

@@ -90,14 +90,14 @@ std::vector<std::vector<std::uint32_t>> colour_items(
     std::span<const std::vector<std::uint32_t>> resources, std::size_t count) {
   std::vector<std::vector<std::uint32_t>> taken(count);  // colours of a resource's items so far
   std::vector<std::vector<std::uint32_t>> colours;
-  std::vector<std::uint32_t> blocked;
+  std::vector<char> blocked;  // per colour
   for (std::size_t i = 0; i < resources.size(); ++i) {
-    blocked.clear();
+    blocked.assign(colours.size() + 1, 0);
     for (const std::uint32_t r : resources[i]) {
-      blocked.insert(blocked.end(), taken[r].begin(), taken[r].end());
+      for (const std::uint32_t colour : taken[r]) blocked[colour] = 1;
     }
-    std::uint32_t colour = 0;
-    while (std::find(blocked.begin(), blocked.end(), colour) != blocked.end()) ++colour;
+    const auto colour =
+        static_cast<std::uint32_t>(std::find(blocked.begin(), blocked.end(), 0) - blocked.begin());
     if (colour == colours.size()) colours.emplace_back();
     colours[colour].push_back(static_cast<std::uint32_t>(i));
     for (const std::uint32_t r : resources[i]) taken[r].push_back(colour);

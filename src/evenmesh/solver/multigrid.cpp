@@ -39,7 +39,7 @@ std::vector<std::vector<std::uint32_t>> colour_rows(const SparseMatrix& matrix) 
 
 }  // namespace
 
-Multigrid::Multigrid(Workers& workers, SymmetricMatrix matrix) {
+Multigrid::Multigrid(Workers& workers, SymmetricMatrix matrix) : scale_(matrix.scale) {
   levels_.emplace_back().matrix = std::move(matrix);
   while (static_cast<int>(levels_.size()) < kMostLevels) {
     Level& fine = levels_.back();
@@ -102,15 +102,14 @@ void Multigrid::apply(Workers& workers, std::span<const Vec3> r, std::span<Vec3>
   const double size = *std::max_element(greatest.begin(), greatest.end());
   const double scale = size > 0.0 && std::isfinite(size) ? size : 1.0;
   for_ranges(workers, r.size(), [&](std::size_t first, std::size_t last) {
-    const double factor = 1.0 / scale;
     for (std::size_t i = first; i < last; ++i) {
-      finest.right[i].head<3>() = (factor * r[i]).cast<float>();
+      finest.right[i].head<3>() = (r[i] / scale).cast<float>();  // 1 / scale may be infinite
     }
   });
   cycle(workers, 0);
   for_ranges(workers, r.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      z[i] = scale * finest.solution[i].head<3>().cast<double>();
+      z[i] = scale * (finest.solution[i].head<3>().cast<double>() / scale_);
     }
   });
 }

@@ -17,6 +17,7 @@ namespace evenmesh {
 /// A symmetric positive (semi-)definite matrix with the diagonal kept apart. A row whose diagonal
 /// is 0 has no unknown (a fixed vertex); its entries must be absent.
 struct SymmetricMatrix {
+  double scale = 1.0;  // > 0: what diagonal and entries, of ordinary size, are in units of
   std::vector<float> diagonal;
   SparseMatrix off_diagonal;
 
@@ -61,6 +62,7 @@ class Multigrid {
   void smooth_forwards(Workers& workers, Level& level);
   void smooth_backwards(Workers& workers, Level& level);
 
+  double scale_;  // of the matrix
   std::vector<Level> levels_;
   Eigen::LDLT<Eigen::MatrixXf> coarsest_;
 };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 
 namespace evenmesh {
@@ -46,6 +48,59 @@ void merge_rows(Workers& workers, SparseMatrix& matrix) {
   matrix.entries.shrink_to_fit();
 }
 
+bool is_usable(double stiffness) { return stiffness > 0.0 && std::isfinite(stiffness); }
+
+// Binary exponents of stiffnesses, added up: whole numbers have no rounding.
+struct Exponents {
+  std::int64_t sum = 0;
+  std::int64_t count = 0;
+
+  void add(double stiffness) {
+    if (!is_usable(stiffness)) return;
+    sum += std::ilogb(stiffness);
+    ++count;
+  }
+};
+
+// A typical stiffness, as a power of two so that scaling by it is exact.
+double typical(std::span<const Exponents> parts) {
+  Exponents all;
+  for (const Exponents& part : parts) {
+    all.sum += part.sum;
+    all.count += part.count;
+  }
+  if (all.count == 0) return 1.0;
+  return std::ldexp(1.0,
+                    static_cast<int>(std::clamp<std::int64_t>(all.sum / all.count, -900, 900)));
+}
+
+// The stiffness in units of the typical one. What lies far off, at cells that have all but
+// collapsed, must not leave the range of single precision.
+float in_range(double stiffness, double unit) {
+  if (!(stiffness > 0.0)) return 0.0f;
+  return static_cast<float>(std::clamp(stiffness / unit, 1e-12, 1e12));
+}
+
+// Pulls back slightly every row of a piece that has no held row.
+void hold_free_pieces(std::vector<char> held, SymmetricMatrix& matrix) {
+  std::vector<Index> next;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (held[i]) next.push_back(static_cast<Index>(i));
+  }
+  while (!next.empty()) {
+    const Index i = next.back();
+    next.pop_back();
+    for (const auto& entry : matrix.off_diagonal.row(i)) {
+      if (held[entry.column]) continue;
+      held[entry.column] = 1;
+      next.push_back(entry.column);
+    }
+  }
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (!held[i]) matrix.diagonal[i] *= 1.001f;
+  }
+}
+
 }  // namespace
 
 Objective::Objective(const Mesh& mesh, const Problem& problem)
@@ -74,8 +129,8 @@ double Objective::evaluate(Workers& workers, Points x, std::span<Vec3> gradient)
 }
 
 SymmetricMatrix Objective::majoriser(Workers& workers, Points x) const {
-  const auto for_springs = [&](const std::function<void(const Spring&)>& body) {
-    layout_.for_blocks(workers, [&](std::size_t, const Layout::Block& block) {
+  const auto for_springs = [&](const std::function<void(std::size_t, const Spring&)>& body) {
+    layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
       std::vector<Spring> springs;
       for (const Term& term : problem_.terms) {
         springs.clear();
@@ -83,7 +138,7 @@ SymmetricMatrix Objective::majoriser(Workers& workers, Points x) const {
         for (Spring& spring : springs) {
           if (spring.a == spring.b) continue;
           spring.stiffness *= term.weight;
-          body(spring);
+          body(chunk, spring);
         }
       }
     });
@@ -93,7 +148,9 @@ SymmetricMatrix Objective::majoriser(Workers& workers, Points x) const {
   matrix.diagonal.assign(size(), 0.0f);
   SparseMatrix& off = matrix.off_diagonal;
   off.start.assign(size() + 1, 0);
-  for_springs([&](const Spring& spring) {
+  std::vector<Exponents> exponents(layout_.chunks());
+  for_springs([&](std::size_t chunk, const Spring& spring) {
+    exponents[chunk].add(spring.stiffness);
     if (!moves(motion_, spring.a) || !moves(motion_, spring.b)) return;
     ++off.start[spring.a + 1];
     ++off.start[spring.b + 1];
@@ -101,8 +158,10 @@ SymmetricMatrix Objective::majoriser(Workers& workers, Points x) const {
   for (std::size_t i = 0; i < size(); ++i) off.start[i + 1] += off.start[i];
   off.entries.resize(off.start.back());
   std::vector<std::uint64_t> next(off.start.begin(), off.start.end() - 1);
-  for_springs([&](const Spring& spring) {
-    const auto stiffness = static_cast<float>(spring.stiffness);
+  matrix.scale = typical(exponents);
+  std::vector<char> held(size(), 0);  // per row: coupled to a fixed vertex
+  for_springs([&](std::size_t, const Spring& spring) {
+    const float stiffness = in_range(spring.stiffness, matrix.scale);
     const auto add = [&](Index row, Index column) {
       if (!moves(motion_, row)) return;
       // Two tangent planes at an angle: a step that is equal in both cannot be tangent to both.
@@ -110,17 +169,17 @@ SymmetricMatrix Objective::majoriser(Workers& workers, Points x) const {
       const double bend = 1.0 - std::abs(motion_.normal(row).dot(motion_.normal(column)));
       const bool bends = !motion_.normal(row).isZero() && !motion_.normal(column).isZero();
       matrix.diagonal[row] += stiffness * (bends ? 1.0f + static_cast<float>(bend) : 1.0f);
-      if (moves(motion_, column)) off.entries[next[row]++] = {column, -stiffness};
+      if (moves(motion_, column)) {
+        off.entries[next[row]++] = {column, -stiffness};
+      } else {
+        held[row] = 1;
+      }
     };
     add(spring.a, spring.b);
     add(spring.b, spring.a);
   });
   merge_rows(workers, off);
-
-  if (motion_.moving() == size()) {
-    // Nothing holds the mesh in place; a slight pull everywhere makes the matrix definite.
-    for (float& d : matrix.diagonal) d *= 1.001f;
-  }
+  hold_free_pieces(std::move(held), matrix);
   return matrix;
 }
 

@@ -62,6 +62,15 @@ void check_size(const Mesh& mesh) {
       size, kSmallest, kGreatest));
 }
 
+// Adding 0 turns -0 into 0. Coordinates that have not moved keep their bits.
+void restore_unmoved(Points before, std::vector<Vec3>& after) {
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (after[v][axis] == before[v][axis]) after[v][axis] = before[v][axis];
+    }
+  }
+}
+
 void count_moves(Points before, Points after, Report& report) {
   double sum = 0.0;
   for (std::size_t v = 0; v < before.size(); ++v) {
@@ -115,6 +124,7 @@ class Smoothing {
     report_.pulled_back = result.pulled_back;
     report_.quality_after = result.after;
     report_.cost_after = objective.evaluate(workers_, points_, {});
+    restore_unmoved(mesh_.points(), points_);
     count_moves(mesh_.points(), points_, report_);
     report_.check_seconds += timer_.seconds();
   }

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "evenmesh/solver/guard.h"
+
+#include <gtest/gtest.h>
+
+#include "evenmesh/solver/smooth.h"
+#include "tests/solver/setup.h"
+#include "tests/support/shapes.h"
+
+namespace evenmesh {
+namespace {
+
+using testing_setup::copy_of;
+using testing_setup::displaced;
+using testing_setup::only;
+using testing_setup::problem_of;
+
+constexpr Judge kAll = Judge::quality_and_inversion;
+
+std::vector<Vec3> in_single_precision(Points points) {
+  std::vector<Vec3> result;
+  // One by one: g++ 12 takes Eigen's cast to float and back for nothing.
+  const auto rounded = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  for (const Vec3& p : points) result.emplace_back(rounded(p[0]), rounded(p[1]), rounded(p[2]));
+  return result;
+}
+
+// A square of four triangles whose centre is vertex 4, judged against a given place of it.
+class Square : public testing::Test {
+ protected:
+  Square() : Square(shapes::fig5(0.1, 0.0)) {}
+  explicit Square(const Mesh& mesh)
+      : mesh_(mesh), orientation_(find_orientation(mesh_)), guard_(workers_, mesh_, orientation_) {}
+
+  std::vector<Vec3> centre_at(double x, double y) const {
+    std::vector<Vec3> points = copy_of(mesh_.points());
+    points[4] = Vec3(x, y, 0.0);
+    return points;
+  }
+
+  Workers workers_;
+  Mesh mesh_;
+  Orientation orientation_;
+  Guard guard_;
+};
+
+TEST_F(Square, TheInputItselfIsNoBreach) {
+  EXPECT_EQ(guard_.find_breach(workers_, mesh_.points(), kAll), "");
+}
+
+TEST_F(Square, ABetterPlaceIsKeptToTheBit) {
+  std::vector<Vec3> points = centre_at(0.5, 0.5);
+  const std::vector<Vec3> wanted = points;
+  const Guard::Result result = guard_.enforce(workers_, points, kAll);
+  EXPECT_EQ(result.promise, Promise::kept);
+  EXPECT_EQ(result.pulled_back, 0u);
+  EXPECT_EQ(points, wanted);
+  EXPECT_EQ(result.after.inverted, 0u);
+}
+
+TEST_F(Square, AnInversionIsABreach) {
+  const std::vector<Vec3> points = centre_at(1.2, 0.5);
+  EXPECT_NE(guard_.find_breach(workers_, points, kAll), "");
+  EXPECT_NE(guard_.find_breach(workers_, points, Judge::inversion).find("inverted"),
+            std::string::npos);
+}
+
+TEST_F(Square, AWorseWorstIsABreachOfQualityAlone) {
+  const std::vector<Vec3> points = centre_at(0.8, 0.5);
+  EXPECT_NE(guard_.find_breach(workers_, points, kAll).find("worse"), std::string::npos);
+  EXPECT_EQ(guard_.find_breach(workers_, points, Judge::inversion), "");
+}
+
+TEST_F(Square, AStepThatInvertsIsPulledBack) {
+  std::vector<Vec3> points = centre_at(-0.1, 0.5);  // through the wall; half-way 0.25, then 0.425
+  const Guard::Result result = guard_.enforce(workers_, points, kAll);
+  EXPECT_EQ(result.promise, Promise::pulled_back);
+  EXPECT_EQ(result.pulled_back, 1u);
+  EXPECT_EQ(guard_.find_breach(workers_, points, kAll), "");
+  EXPECT_NEAR(points[4][0], 0.425, 1e-12);
+}
+
+TEST_F(Square, WhatCannotBeKeptGoesBackToTheBit) {
+  std::vector<Vec3> points = centre_at(0.9, 0.5);  // the way there is worse from the first inch
+  const Guard::Result result = guard_.enforce(workers_, points, kAll);
+  EXPECT_EQ(result.promise, Promise::unimproved);
+  EXPECT_EQ(points, copy_of(mesh_.points()));
+}
+
+TEST_F(Square, LiftedQualityLetsItGetWorseButNotTurnOver) {
+  std::vector<Vec3> points = centre_at(0.9, 0.5);
+  const std::vector<Vec3> wanted = points;
+  EXPECT_EQ(guard_.enforce(workers_, points, Judge::inversion).promise, Promise::lifted);
+  EXPECT_EQ(points, wanted);
+  points = centre_at(1.2, 0.5);
+  const Guard::Result result = guard_.enforce(workers_, points, Judge::inversion);
+  EXPECT_EQ(result.promise, Promise::lifted);
+  EXPECT_EQ(result.after.inverted, 0u);
+  EXPECT_NEAR(points[4][0], 0.9, 1e-12);  // half-way
+}
+
+TEST_F(Square, RoundingIsHonoured) {
+  std::vector<Vec3> points = centre_at(0.5 + 1e-9, 0.5 - 1e-9);
+  guard_.enforce(workers_, points, kAll, in_single_precision);
+  EXPECT_EQ(points[4], Vec3(0.5, 0.5, 0.0));
+}
+
+// The centre outside the square: the triangle at the wall is inverted from the start.
+class Tangled : public Square {
+ protected:
+  Tangled() : Square(shapes::fig5(0.6, 0.0)) {}
+};
+
+TEST_F(Tangled, FurtherOverIsABreach) {
+  ASSERT_EQ(guard_.before().inverted, 1u);
+  EXPECT_NE(guard_.find_breach(workers_, centre_at(1.2, 0.5), Judge::inversion), "");
+  EXPECT_EQ(guard_.find_breach(workers_, centre_at(1.05, 0.5), Judge::inversion), "");
+}
+
+TEST(Guard, NamesABreachOfTheMeanOfShape) {
+  // Two squares side by side, both with a centre off its place: improve the bad one a little and
+  // spoil the good one a lot, short of the worst.
+  Cells cells;
+  std::vector<Vec3> points;
+  for (const double left : {0.0, 5.0}) {
+    const auto first = static_cast<Index>(points.size());
+    const Mesh square = shapes::fig5(left == 0.0 ? 0.4 : 0.0, 0.0);
+    for (const Vec3& p : square.points()) points.emplace_back(p + Vec3(left, 0, 0));
+    for (std::size_t c = 0; c < 4; ++c) {
+      std::vector<Index> vertices;
+      for (const Index v : square.cells().vertices(c)) vertices.push_back(first + v);
+      cells.add(CellKind::triangle, vertices);
+    }
+  }
+  const Mesh mesh(points, std::move(cells));
+  const Orientation orientation = find_orientation(mesh);
+  Workers workers;
+  const Guard guard(workers, mesh, orientation);
+  points[4][0] -= 0.05;
+  points[9][0] += 0.30;
+  EXPECT_NE(guard.find_breach(workers, points, kAll).find("mean of shape"), std::string::npos);
+  std::vector<Vec3> kept = points;
+  const Guard::Result result = guard.enforce(workers, kept, kAll);
+  EXPECT_EQ(guard.find_breach(workers, kept, kAll), "");
+  EXPECT_EQ(result.promise, Promise::pulled_back);
+  EXPECT_EQ(kept[4], points[4]);  // what improved stays
+  EXPECT_GE(result.after.of(Metric::shape).mean, guard.before().of(Metric::shape).mean);
+}
+
+class GuardOfTheZoo : public testing::TestWithParam<double> {};
+
+// Whatever it is given, what it gives back holds.
+TEST_P(GuardOfTheZoo, ResultAlwaysKeepsThePromise) {
+  for (const auto& [name, mesh] : shapes::zoo()) {
+    const Orientation orientation = find_orientation(mesh);
+    const Motion motion(mesh, orientation, std::vector<char>(mesh.point_count(), 0));
+    Workers workers(2);
+    const Guard guard(workers, mesh, orientation);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      for (const Judge judge : {kAll, Judge::inversion}) {
+        for (const bool rounded : {false, true}) {
+          std::vector<Vec3> points = displaced(mesh, motion, GetParam(), seed);
+          // Only what moved is rounded: the input holds no more than the file did.
+          const auto rounding = [&](Points x) {
+            std::vector<Vec3> result = in_single_precision(x);
+            for (std::size_t v = 0; v < x.size(); ++v) {
+              if (x[v] == mesh.points()[v]) result[v] = x[v];
+            }
+            return result;
+          };
+          const Guard::Result result =
+              guard.enforce(workers, points, judge, rounded ? rounding : Guard::Rounding());
+          EXPECT_EQ(guard.find_breach(workers, points, judge), "") << name;
+          EXPECT_LE(result.after.inverted, guard.before().inverted) << name;
+          if (rounded) {
+            EXPECT_EQ(points, rounding(points)) << name;
+          }
+          if (result.promise == Promise::unimproved) {
+            EXPECT_EQ(points, copy_of(mesh.points())) << name;
+          }
+          const QualitySummary now =
+              summarize(workers, measure_cells(workers, mesh, points, orientation));
+          EXPECT_EQ(result.after.of(Metric::shape).mean, now.of(Metric::shape).mean) << name;
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Displacements, GuardOfTheZoo,
+                         testing::Values(1e-9, 1e-3, 0.05, 0.5, 10.0));
+
+TEST(Guard, JudgesTheMeanThatTheReportShows) {
+  // More cells than one range of a sum: the order in which the mean adds up matters.
+  const Mesh mesh = shapes::triangle_grid(120, 1.0, 0.3);
+  const Orientation orientation = find_orientation(mesh);
+  Workers workers;
+  const Guard guard(workers, mesh, orientation);
+  const Motion motion(mesh, orientation, std::vector<char>(mesh.point_count(), 0));
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    // Changes so small that the mean moves by little more than its rounding.
+    const std::vector<Vec3> points = displaced(mesh, motion, 3e-15, seed);
+    const QualitySummary after =
+        summarize(workers, measure_cells(workers, mesh, points, orientation));
+    const bool fell = after.of(Metric::shape).mean < guard.before().of(Metric::shape).mean;
+    const std::string breach = guard.find_breach(workers, points, kAll);
+    if (!breach.empty() && breach.find("mean") == std::string::npos) continue;
+    EXPECT_EQ(breach.find("mean") != std::string::npos, fell) << seed;
+  }
+}
+
+TEST(Smooth, RoundsWhatItJudges) {
+  Mesh mesh = shapes::irregular_triangles(500, 0.3);
+  std::vector<Vec3> start = in_single_precision(mesh.points());
+  mesh.set_points(start);
+  Options options;
+  options.representable = in_single_precision;
+  const Report report = smooth(mesh, problem_of(mesh), options);
+  EXPECT_EQ(copy_of(mesh.points()), in_single_precision(mesh.points()));
+  EXPECT_LT(report.cost_after, report.cost_before);
+  EXPECT_GT(report.moved, 300u);
+}
+
+TEST(Smooth, LetsQualityGetWorseOnlyWhenAllowed) {
+  // `global` with a length the area has no room for buckles the perfect grid.
+  ProblemOptions global = only("global");
+  global.global_length = 0.3;
+  for (const bool allowed : {false, true}) {
+    const Mesh squares = shapes::quad_grid(6);
+    const Problem problem = problem_of(squares, global);
+    Mesh mesh = testing_setup::with_points(squares, displaced(squares, problem.motion, 1e-3, 1));
+    Options options;
+    options.allow_worse = allowed;
+    const Report report = smooth(mesh, problem, options);
+    EXPECT_EQ(report.promise == Promise::lifted, allowed);
+    EXPECT_EQ(
+        report.quality_after.of(Metric::shape).mean < report.quality_before.of(Metric::shape).mean,
+        allowed);
+    EXPECT_EQ(report.quality_after.inverted, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace evenmesh
