@@ -5,11 +5,13 @@
 
 #include "apps/evenmesh/commands.h"
 #include "apps/evenmesh/exit_code.h"
+#include "evenmesh/solver/smooth.h"
 
 namespace evenmesh::app {
 
 int check_command(const InputArguments& arguments, int threads, const Console& console) {
   constexpr std::size_t kShown = 10;
+  check(Options{.threads = threads});
   const Input input = load(arguments, console);
   Workers workers(threads);
   const Mesh& mesh = input.file.mesh;

@@ -44,8 +44,8 @@ int info_command(const InputArguments& arguments, const Console& console);
 /// Smooths the paper's meshes with known optima.
 int demo_command(const Console& console);
 
-/// "local=0.3,barycenter" -> names and weights (1 where none is given).
-/// @throws InvalidOption  the text does not parse
+/// "local=0.3,barycenter" -> names and weights (1 where none is given); nothing: none.
+/// @throws InvalidOption  the text does not parse, or a weight is beyond reason
 std::vector<CostChoice> parse_costs(const std::string& text);
 
 }  // namespace evenmesh::app

@@ -9,6 +9,12 @@
 namespace evenmesh::app {
 namespace {
 
+// Narration that nobody can receive, because stderr is closed or full, is no reason to stop.
+void write_line(std::string_view line) {
+  std::fwrite(line.data(), 1, line.size(), stderr);
+  std::fputc('\n', stderr);
+}
+
 // As many digits as help to tell two values apart, in ten columns.
 std::string number(Metric metric, double value) {
   if (metric == Metric::min_angle || metric == Metric::max_angle)
@@ -19,12 +25,14 @@ std::string number(Metric metric, double value) {
 
 }  // namespace
 
+void Console::complain(std::string_view line) const { write_line(line); }
+
 void Console::say(std::string_view line) const {
-  if (verbosity_ != Verbosity::quiet) fmt::print(stderr, "{}\n", line);
+  if (verbosity_ != Verbosity::quiet) write_line(line);
 }
 
 void Console::detail(std::string_view line) const {
-  if (verbosity_ == Verbosity::verbose) fmt::print(stderr, "{}\n", line);
+  if (verbosity_ == Verbosity::verbose) write_line(line);
 }
 
 void Console::progress(const Iteration& iteration, double tolerance) {
@@ -48,7 +56,7 @@ void Console::end_progress() {
   line_is_open_ = false;
 }
 
-void print(std::string_view text) { fmt::print("{}", text); }
+void print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
 std::string quality_table(const QualitySummary& before, const QualitySummary* after) {
   std::string table;

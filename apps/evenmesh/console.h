@@ -18,6 +18,8 @@ class Console {
  public:
   explicit Console(Verbosity verbosity) : verbosity_(verbosity) {}
 
+  /// What went wrong: said even to those who want it quiet.
+  void complain(std::string_view line) const;
   /// A line of narration.
   void say(std::string_view line) const;
   /// A line of narration for those who asked for more.
@@ -35,7 +37,7 @@ class Console {
   double last_seconds_ = -1.0;
 };
 
-/// Writes text to stdout.
+/// Writes text to stdout. Whether it arrived is asked once, at the end: ferror(stdout).
 void print(std::string_view text);
 
 /// Worst and mean of every metric that applies, of one mesh or before and after.

@@ -2,8 +2,11 @@
 #include "apps/evenmesh/loading.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
+
+#include "evenmesh/base/error.h"
 
 namespace evenmesh::app {
 namespace {
@@ -22,6 +25,10 @@ std::string plural(CellKind kind) {
 }  // namespace
 
 Input load(const InputArguments& arguments, const Console& console) {
+  if (!(arguments.weld_tolerance >= 0.0) || std::isinf(arguments.weld_tolerance)) {
+    throw InvalidOption(fmt::format("the distance in --weld must be a length of 0 or more, not {}",
+                                    arguments.weld_tolerance));
+  }
   Input input;
   const Timer timer;
   input.file = read_mesh(arguments.path, {.weld_tolerance = arguments.weld_tolerance});

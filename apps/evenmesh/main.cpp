@@ -2,11 +2,16 @@
 //
 // The command line: parse, call, report, exit code. No mathematics.
 #include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <filesystem>
 #include <new>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "apps/evenmesh/commands.h"
 #include "apps/evenmesh/exit_code.h"
@@ -74,7 +79,10 @@ void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
   app.add_flag("--in-place", smooth.in_place, "replace the input file");
   app.add_option("--cost", smooth.costs,
                  "what to minimise: local, global, barycenter with weights, as in "
-                 "local=0.3,barycenter=0.3 (default: local for triangles, that for the others)");
+                 "local=0.3,barycenter=0.3 (default: local for triangles, that for the others)")
+      ->check([](const std::string& text) {
+        return text.empty() ? "no cost given; leave the option out for the default" : "";
+      });
   app.add_flag("--scale-free", smooth.scale_free,
                "count lengths relative to each cell's size: fine and coarse cells weigh the same");
   app.add_option("--global-length", smooth.global_length,
@@ -91,12 +99,49 @@ void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
   app.add_option("--json", smooth.json, "write a report in JSON to this file (-: to stdout)");
 }
 
-int run(int argc, char** argv) {
-  SmoothArguments smooth;
-  InputArguments inspected;
+struct CommonArguments {
   int threads = 0;
   bool quiet = false;
   bool verbose = false;
+};
+
+void add_common(CLI::App& app, CommonArguments& common) {
+  app.add_option("--threads", common.threads, "0: one per core; results do not depend on it")
+      ->capture_default_str();
+  app.add_flag("-q,--quiet", common.quiet, "say nothing but errors");
+  app.add_flag("-v,--verbose", common.verbose, "say more");
+}
+
+// An option of smoothing that stands before a verb, where it would have no effect; empty if none.
+std::string misplaced_option(CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_name();
+    if (name == "--threads" || name == "--quiet" || name == "--verbose") continue;
+    if (option->count() > 0) return option->get_positional() ? option->as<std::string>() : name;
+  }
+  return "";
+}
+
+std::string neither(const std::string& word) {
+  return fmt::format("'{}' is neither a file nor a command; the commands are check, info and demo",
+                     word);
+}
+
+// What the parser makes of a misspelt verb ("too many files") is no help.
+std::string explain(const CLI::ParseError& error, const std::string& file) {
+  const bool surplus = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  return surplus && !file.empty() && !std::filesystem::exists(file) ? neither(file) : error.what();
+}
+
+int wrong_usage(const std::string& what) {
+  fmt::print(stderr, "evenmesh: {}\nTry: evenmesh --help\n", what);
+  return kBadUsage;
+}
+
+int run(int argc, char** argv) {
+  SmoothArguments smooth;
+  InputArguments inspected;
+  CommonArguments common;
   smooth.command = command_line(argc, argv);
 
   CLI::App app{kExamples, "evenmesh"};
@@ -105,38 +150,61 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   add_input(app, smooth.input, false);
   add_smooth_options(app, smooth);
-  app.add_option("--threads", threads, "0: one per core; results do not depend on it")
-      ->capture_default_str();
-  app.add_flag("-q,--quiet", quiet, "say nothing but errors");
-  app.add_flag("-v,--verbose", verbose, "say more");
+  add_common(app, common);
 
   CLI::App* check = app.add_subcommand("check", "measure the cells of a mesh");
   add_input(*check, inspected, true);
   CLI::App* info = app.add_subcommand("info", "say what is in a mesh file");
   add_input(*info, inspected, true);
   CLI::App* demo = app.add_subcommand("demo", "smooth the paper's meshes with known optima");
-  for (CLI::App* verb : {check, info, demo}) verb->fallthrough();
+  for (CLI::App* verb : {check, info, demo}) add_common(*verb, common);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "evenmesh: {}\nTry: evenmesh --help\n", error.what());
-    return kBadUsage;
+    return wrong_usage(explain(error, smooth.input.path));
+  }
+  for (const CLI::App* verb : app.get_subcommands()) {
+    const std::string misplaced = misplaced_option(app);
+    if (misplaced.empty()) continue;
+    return wrong_usage(fmt::format("'{}' before {} has no meaning", misplaced, verb->get_name()));
   }
 
-  Console console(quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal);
-  if (*check) return check_command(inspected, threads, console);
+  Console console(common.quiet     ? Verbosity::quiet
+                  : common.verbose ? Verbosity::verbose
+                                   : Verbosity::normal);
+  if (*check) return check_command(inspected, common.threads, console);
   if (*info) return info_command(inspected, console);
   if (*demo) return demo_command(console);
   if (smooth.input.path.empty()) {
     fmt::print(stderr, "evenmesh: no mesh file given\nTry: evenmesh part.obj -o even.obj\n");
     return kBadUsage;
   }
-  std::signal(SIGINT, on_interrupt);
-  smooth.threads = threads;
+  if (smooth.output.empty() && !std::filesystem::exists(smooth.input.path)) {
+    return wrong_usage(neither(smooth.input.path));
+  }
+  // Who started it in the background may have asked to ignore Ctrl-C.
+  if (std::signal(SIGINT, on_interrupt) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
+  smooth.threads = common.threads;
   return smooth_command(smooth, console, [] { return interrupt_asked.load(); });
+}
+
+// A mesh file must not get the number of a standard stream that the caller closed: what is printed
+// would end up in it.
+void open_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // open() takes the lowest free number, which is this one.
+    if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF) ::open("/dev/null", O_RDWR);
+  }
+}
+
+// Results that did not arrive (a full disk behind stdout) are no success.
+int flushed(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  fmt::print(stderr, "evenmesh: what was to be printed did not reach standard output\n");
+  return code == kDone ? kBadFile : code;
 }
 
 }  // namespace
@@ -148,8 +216,9 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "evenmesh: {}\n", what);
     return code;
   };
+  app::open_closed_streams();
   try {
-    return app::run(argc, argv);
+    return app::flushed(app::run(argc, argv));
   } catch (const InvalidOption& error) {
     return fail(error.what(), app::kBadUsage);
   } catch (const Error& error) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -11,6 +12,7 @@
 #include "apps/evenmesh/exit_code.h"
 #include "evenmesh/base/error.h"
 #include "evenmesh/constraint/selector.h"
+#include "evenmesh/io/output_file.h"
 #include "evenmesh/solver/guard.h"
 #include "evenmesh/solver/smooth.h"
 
@@ -25,6 +27,30 @@ class Refused : public Error {
   using Error::Error;
 };
 
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;  // one that is not there is not the other
+  return a == b || std::filesystem::equivalent(a, b, ignored);
+}
+
+// Where the report goes must not be where a mesh is, and must be writable: better said before the
+// work than after it.
+void check_report_path(const std::string& json, const std::string& input,
+                       const std::string& output) {
+  if (json.empty() || json == "-") return;
+  if (same_file(json, input) || same_file(json, output)) {
+    throw InvalidOption(
+        fmt::format("--json {} would overwrite the mesh; give it another name", json));
+  }
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::path(json).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
+    throw IoError(json + ": cannot be written; the folder is not there");
+  }
+  if (std::filesystem::is_directory(json, ignored)) {
+    throw IoError(json + ": is a folder; give the name of a file in it");
+  }
+}
+
 std::string output_path(const SmoothArguments& arguments) {
   if (arguments.in_place) {
     if (!arguments.output.empty()) {
@@ -37,8 +63,7 @@ std::string output_path(const SmoothArguments& arguments) {
         fmt::format("nowhere to write to; add -o OUT (or look first: evenmesh check {})",
                     arguments.input.path));
   }
-  std::error_code ignored;
-  if (std::filesystem::equivalent(arguments.input.path, arguments.output, ignored)) {
+  if (same_file(arguments.input.path, arguments.output)) {
     throw InvalidOption(fmt::format(
         "{} is the input itself; use --in-place instead of -o to replace it", arguments.output));
   }
@@ -63,6 +88,12 @@ class Run {
         output_(output_path(arguments)) {
     record_.command = arguments.command;
     record_.input = arguments.input.path;
+    options_.tolerance = arguments.tolerance;
+    options_.max_iterations = arguments.iterations;
+    options_.time_limit_seconds = arguments.time_limit;
+    options_.threads = arguments.threads;
+    options_.allow_worse = arguments.allow_worse;
+    check_report_path(arguments.json, arguments.input.path, output_);
   }
 
   int perform() {
@@ -76,7 +107,12 @@ class Run {
       record_.exit_code = dynamic_cast<const InvalidOption*>(&error) != nullptr ? kBadUsage
                           : dynamic_cast<const Error*>(&error) != nullptr       ? kBadFile
                                                                                 : kInternalError;
-      write_json();
+      console_.end_progress();
+      try {
+        write_json();
+      } catch (const std::exception&) {
+        // That the report cannot be written either is not what went wrong first.
+      }
       throw;
     }
     write_json();
@@ -85,8 +121,15 @@ class Run {
 
  private:
   void prepare() {
+    check(options_);
     const std::vector<CostChoice> costs = parse_costs(arguments_.costs);
+    if (!(arguments_.global_length >= 0.0) || std::isinf(arguments_.global_length)) {
+      throw InvalidOption(fmt::format("--global-length must be a positive length, not {}",
+                                      arguments_.global_length));
+    }
     input_ = load(arguments_.input, console_);
+    // Found out before the work, not after it: it leaves nothing behind.
+    OutputFile{output_};
     describe(input_, record_);
     const Mesh& mesh = input_.file.mesh;
     fixed_ = select_vertices(arguments_.fix, mesh, input_.topology);
@@ -113,21 +156,26 @@ class Run {
 
   void solve() {
     result_ = input_.file.mesh;
-    Options options;
-    options.tolerance = arguments_.tolerance;
-    options.max_iterations = arguments_.iterations;
-    options.time_limit_seconds = arguments_.time_limit;
-    options.threads = arguments_.threads;
-    options.allow_worse = arguments_.allow_worse;
-    options.representable = [this](Points points) {
+    options_.representable = [this](Points points) {
       return input_.file.patch->representable(points);
     };
-    options.progress = [this](const Iteration& iteration) {
+    options_.progress = [this](const Iteration& iteration) {
       console_.progress(iteration, arguments_.tolerance);
       return !interrupted_();
     };
-    record_.report = smooth(result_, problem_, options);
+    try {
+      record_.report = smooth(result_, problem_, options_);
+    } catch (const InvalidOption& error) {  // the options are right, so it is about the mesh
+      throw InvalidOption(fmt::format("{}: {}", arguments_.input.path, error.what()));
+    }
+    solved_ = true;
     console_.end_progress();
+    if (!std::isfinite(record_.report.cost_before)) {
+      throw InvalidOption(
+          fmt::format("the cost of {} as it is exceeds double precision; choose smaller weights in "
+                      "--cost or a smaller --global-length",
+                      arguments_.input.path));
+    }
     if (console_.verbose()) print_history();
   }
 
@@ -141,6 +189,10 @@ class Run {
       if (!arguments_.keep_partial) {
         console_.say(record_.message +
                      "; nothing was written (--keep-partial keeps what there is)");
+        return;
+      }
+      if (report.promise == Promise::unimproved) {
+        console_.say("interrupted before anything was better; nothing was written");
         return;
       }
     }
@@ -168,7 +220,8 @@ class Run {
   void refuse() {
     record_.status = "refused";
     record_.exit_code = kRefused;
-    console_.say("refused: " + record_.message + "; nothing was written");
+    console_.complain(fmt::format("refused: {}: {}; nothing was written", arguments_.input.path,
+                                  record_.message));
   }
 
   // Why the run ended as it did, in one sentence.
@@ -177,9 +230,10 @@ class Run {
     if (input_.file.mesh.cells().empty()) return "the mesh has no cells, so there is nothing to do";
     if (report.stop == Stop::nothing_to_move) {
       return fmt::format(
-          "nothing may move: every vertex is kept by --fix {} (or has no area around "
-          "it); try --fix boundary",
-          arguments_.fix);
+          "nothing may move: every vertex is kept by --fix {} or has no area around it; to see "
+          "what "
+          "there is: evenmesh info {}",
+          arguments_.fix, arguments_.input.path);
     }
     if (report.promise == Promise::unimproved) {
       return "no vertex can follow the cost without making the worst cell or the mean shape worse; "
@@ -220,8 +274,9 @@ class Run {
         break;
     }
     if (report.held > 0) {
-      text += fmt::format("; {} stopped early so that no cell gets too bad and none leaves the surface",
-                          count_of(report.held, "vertex", "vertices"));
+      text +=
+          fmt::format("; {} stopped early so that no cell gets too bad and none leaves the surface",
+                      count_of(report.held, "vertex", "vertices"));
     }
     if (report.promise == Promise::earlier_iterate) {
       text += "; this iterate was kept because the mean shape falls from there on";
@@ -247,7 +302,8 @@ class Run {
     const Mesh& before = input_.file.mesh;
     for (std::size_t v = 0; v < before.point_count(); ++v) {
       if (problem_.motion.freedom(static_cast<Index>(v)) != Motion::Freedom::fixed) continue;
-      if (before.points()[v] == written.points()[v]) continue;
+      // Bit for bit: a zero that loses its sign has changed too.
+      if (std::memcmp(&before.points()[v], &written.points()[v], sizeof(Vec3)) == 0) continue;
       throw Refused(fmt::format("{} is fixed but would have moved",
                                 input_.file.patch->vertex_name(static_cast<Index>(v))));
     }
@@ -269,7 +325,7 @@ class Run {
 
   void write_json() {
     if (arguments_.json.empty()) return;
-    if (record_.exit_code == kDone || record_.exit_code == kRefused) list_worst();
+    if (solved_) list_worst();
     record_.total_seconds = total_.seconds();
     record_.cpu_seconds = cpu_seconds();
     record_.peak_memory_bytes = peak_memory_bytes();
@@ -296,12 +352,14 @@ class Run {
   Console& console_;
   const std::function<bool()>& interrupted_;
   const std::string output_;
+  Options options_;
   const Timer total_;
   RunRecord record_;
   Input input_;
   std::vector<char> fixed_;
   Problem problem_;
   Mesh result_;
+  bool solved_ = false;
 };
 
 }  // namespace
@@ -309,7 +367,7 @@ class Run {
 std::vector<CostChoice> parse_costs(const std::string& text) {
   std::vector<CostChoice> costs;
   std::size_t at = 0;
-  while (at < text.size()) {
+  while (!text.empty() && at <= text.size()) {
     const std::size_t end = std::min(text.find(',', at), text.size());
     const std::string part = text.substr(at, end - at);
     const std::size_t equals = std::min(part.find('='), part.size());
@@ -323,6 +381,11 @@ std::vector<CostChoice> parse_costs(const std::string& text) {
             "'{}' is no weight in --cost {}; write for example local=0.3,barycenter=0.3",
             part.substr(equals + 1), text));
       }
+    }
+    // Beyond that, its product with a cost is soon beyond double precision.
+    if (choice.weight > 0.0 && !(choice.weight >= 1e-100 && choice.weight <= 1e100)) {
+      throw InvalidOption(fmt::format(
+          "the weight {} in --cost {} must lie between 1e-100 and 1e100", choice.weight, text));
     }
     if (choice.name.empty()) {
       throw InvalidOption(fmt::format("a cost without a name in --cost {}", text));

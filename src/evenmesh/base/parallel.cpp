@@ -2,13 +2,18 @@
 #include "evenmesh/base/parallel.h"
 
 #include <algorithm>
+#include <system_error>
 
 namespace evenmesh {
 
 Workers::Workers(int threads) {
   if (threads <= 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   helpers_.reserve(static_cast<std::size_t>(threads - 1));
-  for (int i = 1; i < threads; ++i) helpers_.emplace_back([this] { work(); });
+  try {
+    for (int i = 1; i < threads; ++i) helpers_.emplace_back([this] { work(); });
+  } catch (const std::system_error&) {
+    // The system gives no more. Those there are do the work: results do not depend on their number.
+  }
 }
 
 Workers::~Workers() {

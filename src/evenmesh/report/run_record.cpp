@@ -79,6 +79,7 @@ std::string to_json(const RunRecord& record) {
   const Report& report = record.report;
   Json options = Json::object();
   for (const auto& [key, value] : record.options) options[key] = value;
+  const bool failed = record.status == "failed";  // perhaps before there was anything to stop
   const std::size_t fixed = report.vertices - report.movable;
   const int iterations = report.history.empty() ? 0 : static_cast<int>(report.history.size()) - 1;
   const Json json = {
@@ -91,8 +92,8 @@ std::string to_json(const RunRecord& record) {
       {"input", input_of(record)},
       {"output", record.output.empty() ? Json(nullptr) : Json(record.output)},
       {"options", options},
-      {"stop_reason", name(report.stop)},
-      {"promise", name(report.promise)},
+      {"stop_reason", failed ? Json(nullptr) : Json(name(report.stop))},
+      {"promise", failed ? Json(nullptr) : Json(name(report.promise))},
       {"iterations", iterations},
       {"cost_before", report.cost_before},
       {"cost_after", report.cost_after},

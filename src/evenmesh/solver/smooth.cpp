@@ -20,9 +20,9 @@
 #include "evenmesh/solver/reorder.h"
 
 namespace evenmesh {
-namespace {
 
 void check(const Options& options) {
+  constexpr int kMostThreads = 1024;
   if (!(options.tolerance > 0.0 && options.tolerance < 1.0)) {
     throw InvalidOption(
         fmt::format("the tolerance must lie between 0 and 1, not {}", options.tolerance));
@@ -35,11 +35,13 @@ void check(const Options& options) {
     throw InvalidOption(
         fmt::format("the time limit must not be negative: {}", options.time_limit_seconds));
   }
-  if (options.threads < 0) {
-    throw InvalidOption(
-        fmt::format("the number of threads must not be negative: {}", options.threads));
+  if (options.threads < 0 || options.threads > kMostThreads) {
+    throw InvalidOption(fmt::format("the number of threads must lie between 0 and {}, not {}",
+                                    kMostThreads, options.threads));
   }
 }
+
+namespace {
 
 // Squares of lengths must neither vanish nor overflow.
 void check_size(const Mesh& mesh) {

@@ -15,7 +15,7 @@ struct Options {
   double tolerance = 1e-6;
   int max_iterations = 200;         // >= 0
   double time_limit_seconds = 0.0;  // wall-clock for the iterations; 0: none
-  int threads = 1;                  // 0: one per core; the result has the same bits for any number
+  int threads = 1;  // 0: one per core, at most 1024; the result has the same bits for any number
   /// Lets quality get worse where the costs ask for it. Inversion and fixed vertices stay guarded.
   bool allow_worse = false;
   /// What the output can hold of positions (single precision, fixed columns): what moved is rounded
@@ -24,6 +24,10 @@ struct Options {
   /// Called after every iteration from the calling thread; return false to stop there.
   std::function<bool(const Iteration&)> progress = {};
 };
+
+/// @throws InvalidOption  an option is outside its range. For those who want to know before they
+///                        read a large mesh; smooth() asks too.
+void check(const Options& options);
 
 /// Moves the vertices of a mesh to where the problem's cost is least, by a nonlinear conjugate
 /// gradient method preconditioned with multigrid.

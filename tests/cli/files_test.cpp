@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+//
+// What a run does to files: the output, what was there before, and the input.
+#include <array>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "evenmesh/io/mesh_file.h"
+#include "tests/cli/meshes.h"
+#include "tests/cli/process.h"
+#include "tests/cli/promise.h"
+#include "tests/io/temporary_folder.h"
+
+namespace evenmesh {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::Outcome;
+using testing::read_bytes;
+using testing::run;
+using testing::TemporaryFolder;
+
+const fs::path kData = EVENMESH_DATA_DIR;
+
+class Files : public ::testing::Test {
+ protected:
+  std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  std::string bytes(const std::string& name) const { return read_bytes(folder_.path() / name); }
+  std::string out() const { return at("out.obj"); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Files, OfTheDataFolderKeepThePromise) {
+  for (const char* name : {"cubespikes.obj", "hele_shaw.obj", "plate_ascii.stl", "plate_binary.stl",
+                           "soccerball.obj"}) {
+    const std::string target = at(std::string("out") + fs::path(name).extension().string());
+    const Outcome outcome = run({(kData / name).string(), "-o", target, "-q"});
+    ASSERT_EQ(outcome.exit_code, 0) << name << outcome.err;
+    testing::expect_promise(kData / name, target);
+  }
+}
+
+TEST_F(Files, SoccerballImproves) {
+  const Outcome outcome = run({(kData / "soccerball.obj").string(), "-o", out(), "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json quality = json::parse(outcome.out)["quality"];
+  EXPECT_GT(quality["after"]["shape"]["mean"], quality["before"]["shape"]["mean"]);
+}
+
+// The lines of the output that are not those of the input.
+std::vector<std::string> changed_lines(const std::string& before, const std::string& after) {
+  std::istringstream a(before);
+  std::istringstream b(after);
+  std::vector<std::string> changed;
+  for (std::string x, y; std::getline(a, x) && std::getline(b, y);) {
+    if (x != y) changed.push_back(y);
+  }
+  return changed;
+}
+
+TEST_F(Files, DifferInLinesOfVerticesOnly) {
+  const fs::path in = kData / "soccerball.obj";
+  ASSERT_EQ(run({in.string(), "-o", out(), "-q"}).exit_code, 0);
+  const std::vector<std::string> changed = changed_lines(read_bytes(in), bytes("out.obj"));
+  EXPECT_FALSE(changed.empty());
+  for (const std::string& line : changed) EXPECT_TRUE(line.starts_with("v ")) << line;
+}
+
+TEST_F(Files, KeepInterfacesBetweenGroupsAndCommentsBehindCoordinates) {
+  // Two groups meet in the middle column, whose inner vertex is not evenly placed.
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1.25 0\nv 2 1 0\nv 0 2 0\nv 1 2 0\nv 2 2 0\n"
+      "v 0.2 0.4 0 # inner\n"
+      "g left\nf 1 2 10\nf 2 5 10\nf 5 4 10\nf 4 1 10\nf 4 5 8 7\n"
+      "g right\nf 2 3 6 5\nf 5 6 9 8\n";
+  folder_.write("in.obj", text);
+  const Outcome outcome = run({at("in.obj"), "-o", out()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::vector<std::string> changed = changed_lines(text, bytes("out.obj"));
+  ASSERT_EQ(changed.size(), 1u);
+  EXPECT_TRUE(changed[0].ends_with(" # inner")) << changed[0];
+}
+
+TEST_F(Files, InPlaceReplacesTheInput) {
+  folder_.write("in.obj", testing::kCanImprove);
+  ASSERT_EQ(run({at("in.obj"), "-o", out(), "-q"}).exit_code, 0);
+  ASSERT_EQ(run({at("in.obj"), "--in-place", "-q"}).exit_code, 0);
+  EXPECT_NE(bytes("in.obj"), testing::kCanImprove);
+  EXPECT_EQ(bytes("in.obj"), bytes("out.obj"));
+  EXPECT_EQ(folder_.count_files(), 2u);
+}
+
+TEST_F(Files, InPlaceIsARenameSoThatReadersNeverSeeHalfAFile) {
+  folder_.write("in.obj", testing::kCanImprove);
+  std::ifstream reader(at("in.obj"));
+  ASSERT_EQ(run({at("in.obj"), "--in-place", "-q"}).exit_code, 0);
+  const std::string seen{std::istreambuf_iterator<char>(reader), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(seen, testing::kCanImprove);
+}
+
+TEST_F(Files, InPlaceFollowsALinkAndLeavesIt) {
+  folder_.write("in.obj", testing::kCanImprove);
+  fs::create_symlink("in.obj", at("link.obj"));
+  ASSERT_EQ(run({at("link.obj"), "--in-place", "-q"}).exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(at("link.obj")));
+  EXPECT_NE(bytes("in.obj"), testing::kCanImprove);
+}
+
+TEST_F(Files, ThereBeforeAreReplacedOnSuccess) {
+  folder_.write("in.obj", testing::kCanImprove);
+  folder_.write("out.obj", "old");
+  ASSERT_EQ(run({at("in.obj"), "-o", out(), "-q"}).exit_code, 0);
+  testing::expect_promise(at("in.obj"), out());
+}
+
+TEST_F(Files, ThereBeforeStayWhenTheMeshCannotBeImproved) {
+  folder_.write("in.obj", testing::kCannotImprove);
+  folder_.write("out.obj", "old");
+  const Outcome outcome = run({at("in.obj"), "-o", out(), "--json", at("report.json")});
+  EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
+  EXPECT_NE(outcome.err.find("refused: " + at("in.obj")), std::string::npos) << outcome.err;
+  EXPECT_EQ(bytes("out.obj"), "old");
+  EXPECT_EQ(folder_.count_files(), 3u);
+  const json report = json::parse(bytes("report.json"));
+  EXPECT_EQ(report["status"], "refused");
+  EXPECT_EQ(report["promise"], "unimproved");
+  EXPECT_TRUE(report["output"].is_null());
+}
+
+TEST_F(Files, InPlaceStaysWhenTheMeshCannotBeImproved) {
+  folder_.write("in.obj", testing::kCannotImprove);
+  EXPECT_EQ(run({at("in.obj"), "--in-place", "-q"}).exit_code, 5);
+  EXPECT_EQ(bytes("in.obj"), testing::kCannotImprove);
+}
+
+TEST_F(Files, AllowWorseWritesWhatIsRefusedOtherwise) {
+  folder_.write("in.obj", testing::kCannotImprove);
+  EXPECT_EQ(run({at("in.obj"), "-o", out(), "-q", "--allow-worse"}).exit_code, 0);
+  EXPECT_NE(bytes("out.obj"), testing::kCannotImprove);
+}
+
+TEST_F(Files, ThereBeforeStayOnFailure) {
+  folder_.write("in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+  folder_.write("out.obj", "old");
+  const Outcome outcome = run({at("in.obj"), "-o", out()});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.err.find(at("in.obj") + ":4:"), std::string::npos) << outcome.err;
+  EXPECT_EQ(bytes("out.obj"), "old");
+  EXPECT_EQ(folder_.count_files(), 2u);
+}
+
+TEST_F(Files, WithNothingToMoveComeOutByteForByteAndSayWhy) {
+  folder_.write("in.obj", testing::kCube);
+  const Outcome outcome = run({at("in.obj"), "-o", out(), "--json", at("report.json")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(bytes("out.obj"), testing::kCube);
+  EXPECT_NE(outcome.err.find("nothing may move: every vertex is kept by --fix "
+                             "boundary+features+interface"),
+            std::string::npos)
+      << outcome.err;
+  const json report = json::parse(bytes("report.json"));
+  EXPECT_EQ(report["stop_reason"], "nothing_to_move");
+  EXPECT_EQ(report["geometry"]["moved"], 0);
+  EXPECT_EQ(report["worst"].size(), 6u);
+}
+
+TEST_F(Files, AreTheSameForAnyNumberOfThreadsAndInEveryRun) {
+  const std::string in = (kData / "hele_shaw.obj").string();
+  const std::array<std::string, 4> threads{"1", "1", "2", "7"};
+  std::string first;
+  for (const std::string& count : threads) {
+    ASSERT_EQ(run({in, "-o", out(), "-q", "--threads", count}).exit_code, 0);
+    if (first.empty()) first = bytes("out.obj");
+    EXPECT_TRUE(bytes("out.obj") == first) << count << " threads";
+  }
+}
+
+TEST_F(Files, MayHaveAnyName) {
+  const std::string in = "a b'c\"\xC3\xA4 $x.obj";
+  folder_.write(in, testing::kCanImprove);
+  const std::string target = "out \xE2\x86\x92 ;.obj";
+  const Outcome outcome = run({in, "-o", target, "--json", "-"}, {.folder = at("")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  testing::expect_promise(at(in), at(target));
+  EXPECT_EQ(json::parse(outcome.out)["command"],
+            "evenmesh 'a b'\\''c\"\xC3\xA4 $x.obj' -o '" + target + "' --json -");
+}
+
+TEST_F(Files, MayHaveNamesThatAreNotUtf8) {
+  const std::string in = "latin-\xE4.obj";
+  folder_.write(in, testing::kCanImprove);
+  const Outcome outcome = run({in, "-o", "out.obj", "--json", "-"}, {.folder = at("")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["input"]["file"], "latin-\xEF\xBF\xBD.obj");
+}
+
+TEST_F(Files, ReadOnlyOnesAreReadAndNotReplaced) {
+  folder_.write("in.obj", testing::kCanImprove);
+  fs::permissions(at("in.obj"), fs::perms::owner_read);
+  EXPECT_EQ(run({at("in.obj"), "-o", out(), "-q"}).exit_code, 0);
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+  EXPECT_EQ(run({at("in.obj"), "--in-place", "-q"}).exit_code, 3);
+  EXPECT_EQ(bytes("in.obj"), testing::kCanImprove);
+}
+
+}  // namespace
+}  // namespace evenmesh

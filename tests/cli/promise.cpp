@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "tests/cli/promise.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "evenmesh/constraint/selector.h"
+#include "evenmesh/io/mesh_file.h"
+#include "evenmesh/mesh/topology.h"
+#include "evenmesh/quality/quality.h"
+#include "tests/io/only_coordinates.h"
+#include "tests/io/temporary_folder.h"
+
+namespace evenmesh::testing {
+namespace {
+
+void expect_same_cells(const Cells& a, const Cells& b) {
+  EXPECT_TRUE(std::ranges::equal(a.corners(), b.corners()));
+  EXPECT_TRUE(std::ranges::equal(a.offsets(), b.offsets()));
+}
+
+void expect_fixed_vertices_have_their_bits(const Mesh& before, const Mesh& after,
+                                           const Orientation& orientation) {
+  const Topology topology = find_topology(before, orientation);
+  const std::vector<char> fixed = select_vertices("boundary+features+interface", before, topology);
+  for (std::size_t v = 0; v < before.point_count(); ++v) {
+    if (!fixed[v]) continue;
+    ASSERT_EQ(std::memcmp(&before.points()[v], &after.points()[v], sizeof(Vec3)), 0)
+        << "vertex " << v;
+  }
+}
+
+void expect_no_worse(const Mesh& before, const Mesh& after, const Orientation& orientation) {
+  Workers workers(1);
+  const auto measured = [&](const Mesh& mesh) {
+    return summarize(workers, measure_cells(workers, mesh, mesh.points(), orientation));
+  };
+  const QualitySummary a = measured(before);
+  const QualitySummary b = measured(after);
+  EXPECT_LE(b.inverted, a.inverted);
+  EXPECT_GE(b.of(Metric::shape).mean, a.of(Metric::shape).mean);
+  for (const Metric metric : kMetrics) {
+    EXPECT_FALSE(worse(metric, b.of(metric).worst, a.of(metric).worst)) << name(metric);
+  }
+}
+
+}  // namespace
+
+void expect_promise(const std::filesystem::path& before, const std::filesystem::path& after) {
+  SCOPED_TRACE(before.string());
+  const MeshFile a = read_mesh(before);
+  const MeshFile b = read_mesh(after);
+  ASSERT_EQ(a.mesh.point_count(), b.mesh.point_count());
+  expect_same_cells(a.mesh.cells(), b.mesh.cells());
+  EXPECT_EQ(
+      difference_beside_coordinates(a, b.mesh.points(), read_bytes(before), read_bytes(after)), "");
+  const Orientation orientation = find_orientation(a.mesh);
+  expect_fixed_vertices_have_their_bits(a.mesh, b.mesh, orientation);
+  expect_no_worse(a.mesh, b.mesh, orientation);
+}
+
+}  // namespace evenmesh::testing
