@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -7,6 +8,7 @@
 #include <fstream>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "apps/evenmesh/commands.h"
 #include "apps/evenmesh/exit_code.h"
@@ -48,6 +50,11 @@ void check_report_path(const std::string& json, const std::string& input,
   }
   if (std::filesystem::is_directory(json, ignored)) {
     throw IoError(json + ": is a folder; give the name of a file in it");
+  }
+  std::filesystem::path target = json;
+  if (!std::filesystem::exists(target, ignored)) target = folder.empty() ? "." : folder;
+  if (::access(target.c_str(), W_OK) != 0) {
+    throw IoError(fmt::format("{}: cannot be written: {}", json, std::strerror(errno)));
   }
 }
 

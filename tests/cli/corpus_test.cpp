@@ -25,7 +25,7 @@ using testing::run;
 using testing::TemporaryFolder;
 
 #ifdef EVENMESH_SANITIZED
-constexpr std::uintmax_t kLargest = 300'000;  // bytes; the larger ones take minutes there
+constexpr std::uintmax_t kLargest = 1'500'000;  // bytes; the larger ones take minutes there
 #else
 constexpr std::uintmax_t kLargest = 100'000'000;
 #endif

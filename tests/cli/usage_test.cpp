@@ -101,6 +101,8 @@ TEST_F(Usage, FoldersWithoutPermissionAreRefused) {
   std::filesystem::create_directory(closed);
   std::filesystem::permissions(closed, std::filesystem::perms::owner_read);
   expect_failure(kFile, {"in.obj", "-o", "closed/out.obj"}, "Permission denied");
+  expect_failure(kFile, {"in.obj", "-o", "out.obj", "--json", "closed/r.json"},
+                 "closed/r.json: cannot be written: Permission denied");
 }
 
 TEST_F(Usage, ReportMustNotOverwriteAMesh) {
