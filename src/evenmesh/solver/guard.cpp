@@ -15,6 +15,8 @@ constexpr int kShape = static_cast<int>(Metric::shape);
 // The parts of their move that vertices are left with, one after the other.
 constexpr double kLeft[] = {1.0, 0.5, 0.25, 0.0};
 constexpr int kAllTheWay = 3;
+// The same values added up in another order, as after renumbering, differ by about this much.
+constexpr double kSumRounding = 1e-14;
 
 // The same sum as in QualitySummary, to the bit: what is judged is what reports show.
 double mean_shape(Workers& workers, const CellQuality& quality) {
@@ -86,7 +88,7 @@ std::string Guard::find_breach(Workers& workers, Points points, Judge judge) con
                : fmt::format("cell {} would be worse than the worst was before", cell);
   }
   if (judge == Judge::quality_and_inversion &&
-      mean_shape(workers, quality) < summary_.metrics[kShape].mean) {
+      mean_shape(workers, quality) < (1.0 - kSumRounding) * summary_.metrics[kShape].mean) {
     return "the mean of shape would be lower than before";
   }
   return {};
