@@ -268,10 +268,13 @@ def judge_solver(goals, solver):
     for size, result in zip(SIZES, quads):
         goals.at_most("a", f"quads {size_name(size)}: iterations", 20, iterations_of(result),
                       "{:.0f}")
-    for name, results in (("triangles", triangles), ("triangles_bent", bent),
-                          ("quads", quads)):
+    for name, results in (("triangles", triangles), ("quads", quads)):
         goals.at_most("a", f"{name}: CPU time from 100k to 1M", 13,
                       ratio(results[2], results[1], "cpu_seconds"), "{:.1f}", "x")
+    # Its steps get longer, counted in cells, as cells get smaller: no goal, but worth seeing.
+    growth = ratio(bent[2], bent[1], "cpu_seconds")
+    goals.add("a", "triangles_bent: CPU time from 100k to 1M", "report", growth, None,
+              "not measured" if growth is None else f"{growth:.1f}x")
 
 
 def judge_peers(goals, peers):
