@@ -2,6 +2,7 @@
 #include "evenmesh/mesh/measure.h"
 
 #include <numbers>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -35,26 +36,48 @@ double least(CellKind kind, const std::vector<Vec3>& corners, double sign = 1.0)
       sign);
 }
 
+double size_of(CellKind kind, const std::vector<Vec3>& corners,
+               const Orientation& orientation = {}) {
+  std::vector<Index> vertices(corners.size());
+  std::iota(vertices.begin(), vertices.end(), Index{0});
+  Cells cells;
+  cells.add(kind, vertices);
+  return oriented_size(Mesh(corners, std::move(cells)), orientation, 0);
+}
+
 std::vector<Vec3> mirrored(std::vector<Vec3> corners) {
   for (Vec3& p : corners) p[0] = -p[0];
   return corners;
 }
 
-TEST(CellVolume, OfIdealCellsIsKnown) {
+TEST(OrientedSize, OfIdealCellsIsKnown) {
   const double expected[] = {std::numbers::sqrt2 / 12.0, 1.0, std::numbers::sqrt3 / 4.0,
                              std::numbers::sqrt2 / 6.0};
   for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_NEAR(cell_volume(kVolumes[k], ideal(kVolumes[k])), expected[k], 1e-15);
+    EXPECT_NEAR(size_of(kVolumes[k], ideal(kVolumes[k])), expected[k], 1e-15);
     EXPECT_NEAR(ideal_measure(kVolumes[k], 0), expected[k], 1e-15);
-    EXPECT_NEAR(cell_volume(kVolumes[k], mirrored(ideal(kVolumes[k]))), -expected[k], 1e-15);
+    EXPECT_NEAR(size_of(kVolumes[k], mirrored(ideal(kVolumes[k]))), -expected[k], 1e-15);
   }
 }
 
-TEST(CellVolume, LosesNoDigitsFarFromTheOrigin) {
+TEST(OrientedSize, HasASignInThePlaneAndForVolumesButNotInSpace) {
+  const std::vector<Vec3> clockwise{{0, 0, 0}, {0, 1, 0}, {2, 0, 0}};
+  Orientation plane;
+  plane.type = MeshType::planar;
+  plane.normal = Vec3(0, 0, 1);
+  EXPECT_DOUBLE_EQ(size_of(CellKind::triangle, clockwise, plane), -1.0);
+  EXPECT_DOUBLE_EQ(size_of(CellKind::triangle, clockwise), 1.0);
+  Orientation left_handed;
+  left_handed.type = MeshType::volume;
+  left_handed.signs = {-1};
+  EXPECT_DOUBLE_EQ(size_of(CellKind::hex, mirrored(ideal(CellKind::hex)), left_handed), 1.0);
+}
+
+TEST(OrientedSize, LosesNoDigitsFarFromTheOrigin) {
   for (const CellKind kind : kVolumes) {
     std::vector<Vec3> far = ideal(kind);
     for (Vec3& p : far) p += Vec3(1e6, -1e6, 1e6);
-    EXPECT_NEAR(cell_volume(kind, far), ideal_measure(kind, 0), 1e-9);
+    EXPECT_NEAR(size_of(kind, far), ideal_measure(kind, 0), 1e-9);
   }
 }
 

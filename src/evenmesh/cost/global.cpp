@@ -7,7 +7,6 @@
 
 #include "evenmesh/base/error.h"
 #include "evenmesh/cost/edges.h"
-#include "evenmesh/geometry/area.h"
 #include "evenmesh/mesh/measure.h"
 
 namespace evenmesh {
@@ -63,18 +62,10 @@ double length_from_size(const Mesh& mesh, const Orientation& orientation) {
   const int dimension = orientation.type == MeshType::volume ? 3 : 2;
   double size = 0.0;
   double ideal = 0.0;
-  std::vector<Vec3> corners;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (traits(cells.kind(c)).dimension != dimension) continue;
-    corners.clear();
-    for (const Index v : cells.vertices(c)) corners.push_back(mesh.points()[v]);
-    ideal += ideal_measure(cells.kind(c), static_cast<int>(corners.size()));
-    if (dimension == 3) {
-      size += orientation.sign(c) * cell_volume(cells.kind(c), corners);
-    } else {
-      const Vec3 area = area_vector(corners);
-      size += orientation.type == MeshType::planar ? area.dot(orientation.up(c)) : area.norm();
-    }
+    ideal += ideal_measure(cells.kind(c), static_cast<int>(cells.vertices(c).size()));
+    size += oriented_size(mesh, orientation, c);
   }
   return ideal > 0.0 ? std::pow(std::abs(size) / ideal, 1.0 / dimension) : 0.0;
 }

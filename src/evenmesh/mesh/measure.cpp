@@ -4,23 +4,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "evenmesh/mesh/extent.h"
+
 namespace evenmesh {
 
-double cell_volume(CellKind kind, std::span<const Vec3> corners) {
-  // The divergence theorem: a sixth of the determinants over the triangles of all faces, measured
-  // from a corner so that cells far from the origin lose no digits.
-  double sum = 0.0;
-  for (const CellTraits::Face& face : traits(kind).faces) {
-    Vec3 middle = Vec3::Zero();
-    for (int i = 0; i < face.count; ++i) middle += corners[face.vertices[i]] - corners[0];
-    middle /= face.count;
-    for (int i = 0; i < face.count; ++i) {
-      const Vec3 a = corners[face.vertices[i]] - corners[0];
-      const Vec3 b = corners[face.vertices[(i + 1) % face.count]] - corners[0];
-      sum += middle.dot(a.cross(b));
-    }
+double oriented_size(const Mesh& mesh, const Orientation& orientation, std::size_t cell) {
+  const CellKind kind = mesh.cells().kind(cell);
+  const auto vertices = mesh.cells().vertices(cell);
+  if (traits(kind).dimension == 3) {
+    return orientation.sign(cell) * volume(kind, mesh.points(), vertices, 1.0);
   }
-  return sum / 6.0;
+  const Vec3 area = 0.5 * doubled_area(mesh.points(), vertices, 1.0);
+  return orientation.type == MeshType::planar ? area.dot(orientation.up(cell)) : area.norm();
 }
 
 double ideal_measure(CellKind kind, int vertices) {

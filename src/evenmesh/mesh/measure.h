@@ -2,18 +2,20 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
-#include <span>
 
 #include "evenmesh/base/vec3.h"
 #include "evenmesh/mesh/cell_kind.h"
+#include "evenmesh/mesh/mesh.h"
+#include "evenmesh/mesh/orientation.h"
 
 namespace evenmesh {
 
-/// Signed volume of a volume cell, its faces taken as fans around their vertex means; positive for
-/// the vertex order of CellKind.
-/// @pre  kind is a volume kind and corners has its vertices
-double cell_volume(CellKind kind, std::span<const Vec3> corners);
+/// The area of a surface cell or the volume of a volume cell, negative where it is turned over as a
+/// whole: against the plane's normal, or against the sense it is wound in. Surface cells in space
+/// have no such side and count as they are.
+double oriented_size(const Mesh& mesh, const Orientation& orientation, std::size_t cell);
 
 /// Area (or volume) of the ideal cell of a kind with all edges 1: a regular polygon, a regular
 /// tet, a cube, ...

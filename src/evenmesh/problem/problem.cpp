@@ -12,7 +12,6 @@
 #include "evenmesh/cost/barycenter.h"
 #include "evenmesh/cost/global.h"
 #include "evenmesh/cost/local.h"
-#include "evenmesh/geometry/area.h"
 #include "evenmesh/mesh/measure.h"
 
 namespace evenmesh {
@@ -31,16 +30,10 @@ double default_global_length(const Setting& in) {
   const int dimension = in.orientation.type == MeshType::volume ? 3 : 2;
   std::size_t judged = 0;
   std::size_t inverted = 0;
-  std::vector<Vec3> corners;
   for (std::size_t c = 0; c < cells.size() && in.orientation.type != MeshType::surface; ++c) {
     if (traits(cells.kind(c)).dimension != dimension) continue;
     ++judged;
-    corners.clear();
-    for (const Index v : cells.vertices(c)) corners.push_back(in.mesh.points()[v]);
-    const double size = in.orientation.type == MeshType::planar
-                            ? area_vector(corners).dot(in.orientation.up(c))
-                            : in.orientation.sign(c) * cell_volume(cells.kind(c), corners);
-    if (size <= 0.0) ++inverted;
+    if (oriented_size(in.mesh, in.orientation, c) <= 0.0) ++inverted;
   }
   return inverted * 100 > judged ? length_from_size(in.mesh, in.orientation)
                                  : mean_edge_length(in.mesh);
