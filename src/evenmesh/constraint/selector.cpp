@@ -42,7 +42,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// "; did you mean 'boundary'?", or nothing if no word is near.
+/// " (did you mean 'boundary'?)", or nothing if no word is near.
 std::string suggestion(std::string_view word) {
   constexpr std::size_t kLongest = 40;
   if (word.size() > kLongest) return "";
@@ -55,7 +55,7 @@ std::string suggestion(std::string_view word) {
       std::min_element(kWords.begin(), kWords.end(),
                        [&](std::string_view a, std::string_view b) { return near(a) < near(b); });
   const std::size_t allowed = 1 + best->size() / 4;
-  return near(*best) <= allowed ? fmt::format("; did you mean '{}'?", *best) : "";
+  return near(*best) <= allowed ? fmt::format(" (did you mean '{}'?)", *best) : "";
 }
 
 /// A piece of the text fit for a message, whatever its length and bytes: no known word has letters
