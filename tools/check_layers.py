@@ -15,7 +15,7 @@ import sys
 MAY_INCLUDE = {
     "base": "",
     "geometry": "base",
-    "mesh": "base geometry",
+    "mesh": "base",
     "quality": "base geometry mesh",
     "io": "base mesh",
     "cost": "base geometry mesh",

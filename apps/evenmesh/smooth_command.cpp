@@ -231,6 +231,36 @@ class Run {
                                   record_.message));
   }
 
+  // The solver's part of outcome().
+  std::string how_it_stopped() const {
+    const Report& report = record_.report;
+    const Iteration& last = report.history.back();
+    const std::string count =
+        count_of(static_cast<std::size_t>(last.number), "iteration", "iterations");
+    if (report.promise == Promise::earlier_iterate) {
+      return fmt::format("kept what was reached after {}, since the mean shape falls from there on",
+                         count);
+    }
+    switch (report.stop) {
+      case Stop::converged:
+        return last.number == 0 ? "the mesh is as even as its cost can make it already"
+                                : "converged in " + count;
+      case Stop::no_descent:
+        return "as low as double precision resolves after " + count;
+      case Stop::iteration_limit:
+        return fmt::format("stopped at the limit of {}, gradient at {:.1e} of its start", count,
+                           last.gradient);
+      case Stop::time_limit:
+        return fmt::format("stopped at the time limit after {}, gradient at {:.1e} of its start",
+                           count, last.gradient);
+      case Stop::interrupted:
+        return "interrupted after " + count;
+      case Stop::nothing_to_move:
+        break;
+    }
+    return "nothing may move";
+  }
+
   // Why the run ended as it did, in one sentence.
   std::string outcome() const {
     const Report& report = record_.report;
@@ -238,55 +268,18 @@ class Run {
     if (report.stop == Stop::nothing_to_move) {
       return fmt::format(
           "nothing may move: every vertex is kept by --fix {} or has no area around it; to see "
-          "what "
-          "there is: evenmesh info {}",
+          "what there is: evenmesh info {}",
           arguments_.fix, arguments_.input.path);
     }
     if (report.promise == Promise::unimproved) {
       return "no vertex can follow the cost without making the worst cell or the mean shape worse; "
-             "try other costs "
-             "(--cost), fewer fixed vertices (--fix), or --allow-worse";
+             "try other costs (--cost), fewer fixed vertices (--fix), or --allow-worse";
     }
-    const int iterations = report.history.back().number;
-    std::string text;
-    switch (report.stop) {
-      case Stop::converged:
-        text = iterations == 0
-                   ? "the mesh is as even as its cost can make it already"
-                   : fmt::format("converged in {}", count_of(static_cast<std::size_t>(iterations),
-                                                             "iteration", "iterations"));
-        break;
-      case Stop::no_descent:
-        text =
-            fmt::format("as low as double precision resolves after {}",
-                        count_of(static_cast<std::size_t>(iterations), "iteration", "iterations"));
-        break;
-      case Stop::iteration_limit:
-        text =
-            fmt::format("stopped at the limit of {}, gradient at {:.1e} of its start",
-                        count_of(static_cast<std::size_t>(iterations), "iteration", "iterations"),
-                        report.history.back().gradient);
-        break;
-      case Stop::time_limit:
-        text =
-            fmt::format("stopped at the time limit after {}, gradient at {:.1e} of its start",
-                        count_of(static_cast<std::size_t>(iterations), "iteration", "iterations"),
-                        report.history.back().gradient);
-        break;
-      case Stop::interrupted:
-        text = fmt::format("interrupted after {}", count_of(static_cast<std::size_t>(iterations),
-                                                            "iteration", "iterations"));
-        break;
-      case Stop::nothing_to_move:
-        break;
-    }
+    std::string text = how_it_stopped();
     if (report.held > 0) {
       text +=
           fmt::format("; {} stopped early so that no cell gets too bad and none leaves the surface",
                       count_of(report.held, "vertex", "vertices"));
-    }
-    if (report.promise == Promise::earlier_iterate) {
-      text += "; this iterate was kept because the mean shape falls from there on";
     }
     if (report.pulled_back > 0) {
       text += fmt::format("; {} pulled back so that nothing is worse than before",

@@ -41,7 +41,7 @@ void check(const Options& options);
 /// towards where they were; where its mean of `shape` is lower than the input's, an earlier iterate
 /// may be kept instead. Report::promise says so.
 ///
-/// The result does not depend on the number of threads, bit for bit. About 400 bytes per vertex.
+/// The result does not depend on the number of threads, bit for bit. About 500 bytes per vertex.
 /// @throws InvalidOption  an option is outside its range, or the mesh is so small or large that
 ///                        squares of its lengths leave the range of doubles (1e-100, 1e100)
 /// @pre  the problem was made for this mesh (or one with the same connectivity)
