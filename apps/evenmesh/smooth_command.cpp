@@ -135,8 +135,8 @@ class Run {
                                       arguments_.global_length));
     }
     input_ = load(arguments_.input, console_);
-    // Found out before the work, not after it: it leaves nothing behind.
-    OutputFile{output_};
+    // Whether it can be written is found out before the work, not after it. Leaves nothing behind.
+    { const OutputFile probe{output_}; }
     describe(input_, record_);
     const Mesh& mesh = input_.file.mesh;
     fixed_ = select_vertices(arguments_.fix, mesh, input_.topology);
