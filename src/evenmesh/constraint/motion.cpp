@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "evenmesh/geometry/area.h"
 #include "evenmesh/mesh/extent.h"
@@ -50,18 +53,121 @@ std::vector<Vec3> tangent_plane_normals(const Mesh& mesh) {
 
 }  // namespace
 
-const Vec3 Motion::kNoNormal = Vec3::Zero();
-
 Motion::Motion(const Mesh& mesh, const Orientation& orientation, std::span<const char> fixed)
     : freedom_(mesh.point_count(), Freedom::fixed) {
   assert(fixed.size() == mesh.point_count());
-  const bool bound = orientation.type != MeshType::volume;
-  if (orientation.type == MeshType::planar) normals_ = {orientation.normal};
-  if (orientation.type == MeshType::surface) normals_ = tangent_plane_normals(mesh);
+  if (orientation.type == MeshType::planar) common_normal_ = orientation.normal;
   for (const Index v : mesh.cells().corners()) {
     if (fixed[v]) continue;
-    if (orientation.type == MeshType::surface && normals_[v].isZero()) continue;
-    freedom_[v] = bound ? Freedom::plane : Freedom::free;
+    freedom_[v] = orientation.type == MeshType::volume ? Freedom::free : Freedom::plane;
+  }
+  if (orientation.type != MeshType::surface) return;
+  const std::vector<Vec3> normals = tangent_plane_normals(mesh);
+  for (Index v = 0; v < freedom_.size(); ++v) {
+    if (freedom_[v] == Freedom::fixed) continue;
+    if (normals[v].isZero()) {
+      freedom_[v] = Freedom::fixed;
+    } else {
+      start_[own_slot(v)] = {mesh.points()[v], normals[v], 0};
+    }
+  }
+}
+
+std::uint32_t Motion::own_slot(Index vertex) {
+  if (slot_.empty()) slot_.assign(freedom_.size(), kNone);
+  if (slot_[vertex] == kNone) {
+    slot_[vertex] = static_cast<std::uint32_t>(slots_.size());
+    slots_.push_back(vertex);
+    tracks_.emplace_back();
+    start_.emplace_back();
+  }
+  return slot_[vertex];
+}
+
+void Motion::fix(Index vertex) {
+  freedom_[vertex] = Freedom::fixed;
+  if (leader_.empty()) return;
+  const Index leader = leader_[vertex];
+  freedom_[leader] = Freedom::fixed;
+  for (const Tie& tie : ties_) {
+    if (tie.leader == leader) freedom_[tie.follower] = Freedom::fixed;
+  }
+}
+
+Vec3 Motion::direction(Index vertex) const {
+  const std::uint32_t own = slot(vertex);
+  return own == kNone ? common_normal_ : start_[own].direction;
+}
+
+// Intersects the line or plane that a vertex moves in with another through the same point.
+void Motion::restrict_to(Index vertex, const Vec3& position, Freedom freedom, const Vec3& u) {
+  constexpr double kParallel = 1e-9;  // sine of the angle below which directions are the same
+  const Freedom now = freedom_[vertex];
+  if (now == Freedom::fixed || freedom == Freedom::free) return;
+  if (freedom == Freedom::fixed) return fix(vertex);
+  const Vec3 v = direction(vertex);
+  const bool on_track = track(vertex) != nullptr;
+  const auto set = [&](Freedom result, const Vec3& along) {
+    if (on_track) return fix(vertex);
+    freedom_[vertex] = result;
+    start_[own_slot(vertex)] = {position, along, 0};
+  };
+  if (now == Freedom::free) return set(freedom, u);
+  if (now == Freedom::plane && freedom == Freedom::plane) {
+    const Vec3 common = u.cross(v);
+    if (common.norm() > kParallel) set(Freedom::line, common.normalized());
+    return;
+  }
+  if (now == Freedom::line && freedom == Freedom::line) {
+    if (u.cross(v).norm() > kParallel) fix(vertex);
+    return;
+  }
+  // A line and a plane.
+  if (std::abs(u.dot(v)) > kParallel) return fix(vertex);
+  if (freedom == Freedom::line) set(Freedom::line, u);
+}
+
+void Motion::keep_in_plane(Index vertex, const Vec3& position, const Vec3& normal) {
+  restrict_to(vertex, position, Freedom::plane, normal);
+}
+
+void Motion::keep_on_line(Index vertex, const Vec3& position, const Vec3& direction) {
+  freedom_[vertex] = Freedom::line;
+  const std::uint32_t own = own_slot(vertex);
+  tracks_[own] = nullptr;
+  start_[own] = {position, direction, 0};
+}
+
+void Motion::put_on_track(Index vertex, std::shared_ptr<const Track> track, const TrackPoint& at) {
+  freedom_[vertex] = track->dimension() == 1 ? Freedom::line : Freedom::plane;
+  const std::uint32_t own = own_slot(vertex);
+  tracks_[own] = std::move(track);
+  start_[own] = at;
+}
+
+void Motion::tie(Index follower, Index leader, Points points) {
+  if (leader_.empty()) {
+    leader_.resize(freedom_.size());
+    std::iota(leader_.begin(), leader_.end(), Index{0});
+  }
+  const Index old = leader_[follower];
+  leader = leader_[leader];
+  if (old == leader) return;
+  std::vector<Index> joining = {old};
+  for (const Tie& tie : ties_) {
+    if (tie.leader == old) joining.push_back(tie.follower);
+  }
+  std::erase_if(ties_, [&](const Tie& tie) { return tie.leader == old; });
+  restrict_to(leader, points[leader], freedom_[old], direction(old));
+  for (const Index v : joining) {
+    leader_[v] = leader;
+    ties_.push_back({v, leader});
+  }
+  for (const Tie& tie : ties_) {
+    if (tie.leader != leader) continue;
+    freedom_[tie.follower] = freedom_[leader];
+    if (slot(leader) == kNone) continue;
+    start_[own_slot(tie.follower)] = {points[tie.follower], direction(leader), 0};
   }
 }
 
@@ -70,15 +176,85 @@ std::size_t Motion::moving() const {
                                                 [](Freedom f) { return f != Freedom::fixed; }));
 }
 
+const Track* Motion::track(Index vertex) const {
+  const std::uint32_t own = slot(vertex);
+  return own == kNone ? nullptr : tracks_[own].get();
+}
+
+Vec3 Motion::normal(Index vertex) const {
+  return freedom_[vertex] == Freedom::plane ? direction(vertex) : Vec3(Vec3::Zero());
+}
+
+void Motion::reduce(Workers& workers, const Places& places, std::span<Vec3> gradient) const {
+  for (const Tie& tie : ties_) {
+    gradient[tie.leader] += gradient[tie.follower];
+    gradient[tie.follower] = Vec3::Zero();
+  }
+  project(workers, places, gradient);
+}
+
+void Motion::project(Workers& workers, const Places& places, std::span<Vec3> step) const {
+  for_ranges(workers, step.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      step[v] = project(places, static_cast<Index>(v), step[v]);
+    }
+  });
+  for (const Tie& tie : ties_) step[tie.follower] = Vec3::Zero();
+}
+
+void Motion::retract(Workers& workers, Points x_0, const Places& from, std::span<Vec3> x,
+                     Places& to) const {
+  to.resize(from.size());
+  for_ranges(workers, slots_.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const Index v = slots_[k];
+      to[k] = from[k];
+      if (!tracks_[k] || x[v] == x_0[v]) continue;
+      to[k] = tracks_[k]->nearest(x[v], from[k]);
+      x[v] = to[k].position;
+    }
+  });
+  for (const Tie& tie : ties_) {
+    x[tie.follower] = x_0[tie.follower] + (x[tie.leader] - x_0[tie.leader]);
+  }
+}
+
+void Motion::retract(Index vertex, Points x_0, const Places& from, std::span<Vec3> x,
+                     Places& to) const {
+  const std::uint32_t own = slot(vertex);
+  if (own != kNone) {
+    to[own] = from[own];
+    if (tracks_[own] && x[vertex] != x_0[vertex]) {
+      to[own] = tracks_[own]->nearest(x[vertex], from[own]);
+      x[vertex] = to[own].position;
+    }
+  }
+  if (leader_.empty()) return;
+  for (const Tie& tie : ties_) {
+    if (tie.leader == vertex) {
+      x[tie.follower] = x_0[tie.follower] + (x[tie.leader] - x_0[tie.leader]);
+    }
+  }
+}
+
 Motion Motion::renumbered(std::span<const Index> order) const {
   Motion result;
+  result.common_normal_ = common_normal_;
   result.freedom_.reserve(order.size());
   for (const Index v : order) result.freedom_.push_back(freedom_[v]);
-  if (normals_.size() <= 1) {
-    result.normals_ = normals_;
-  } else {
-    result.normals_.reserve(order.size());
-    for (const Index v : order) result.normals_.push_back(normals_[v]);
+  for (Index k = 0; k < order.size() && !slot_.empty(); ++k) {
+    const std::uint32_t old = slot_[order[k]];
+    if (old == kNone) continue;
+    const std::uint32_t own = result.own_slot(k);
+    result.tracks_[own] = tracks_[old];
+    result.start_[own] = start_[old];
+  }
+  if (leader_.empty()) return result;
+  std::vector<Index> number(order.size());
+  for (Index k = 0; k < order.size(); ++k) number[order[k]] = k;
+  for (const Index v : order) result.leader_.push_back(number[leader_[v]]);
+  for (const Tie& tie : ties_) {
+    result.ties_.push_back({number[tie.follower], number[tie.leader]});
   }
   return result;
 }

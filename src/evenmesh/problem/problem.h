@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/constraint/function.h"
 #include "evenmesh/constraint/motion.h"
+#include "evenmesh/constraint/validity.h"
 #include "evenmesh/cost/cost.h"
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/orientation.h"
@@ -20,12 +22,17 @@ struct Term {
   std::shared_ptr<const Cost> cost;
 };
 
-/// What to minimise and what may move:  f(x) = sum over terms of weight * cost(x)  over the
-/// positions that `motion` allows.
+/// What to minimise and under which constraints:  f(x) = sum over terms of weight * cost(x)  over
+/// the positions that `motion` allows and at which all demands are met.
 struct Problem {
   std::vector<Term> terms;
   Motion motion;
   Orientation orientation;  // which way is up in the input; judges inverted cells
+
+  // Demands, each of which the result meets or is reported not to meet.
+  Validity validity;
+  std::vector<Bound> bounds;     // functions kept equal to a value or within an interval
+  std::vector<double> max_move;  // per vertex, mesh length unit, may be infinite; empty: no limits
 };
 
 /// A cost by name with its weight, as in `--cost local=0.3,barycenter=0.3`.
