@@ -47,6 +47,7 @@ TEST(Objective, HasTheProjectedGradientOfItsValue) {
     std::vector<Vec3> gradient(mesh.point_count());
     const std::vector<Vec3> at = displaced(mesh, problem.motion, 0.02, 3);
     objective.evaluate(workers, at, gradient);
+    problem.motion.reduce(workers, problem.motion.start(), gradient);
     std::vector<Vec3> x = at;
     for (std::size_t v = 0; v < x.size(); v += 3) {
       const auto vertex = static_cast<Index>(v);

@@ -70,6 +70,7 @@ class Motion {
   std::size_t moving() const;
   /// The vertex that this one repeats the moves of; itself if it goes its own way.
   Index leader(Index vertex) const { return leader_.empty() ? vertex : leader_[vertex]; }
+  bool has_ties() const { return !ties_.empty(); }
   /// The track a vertex is on, or null.
   const Track* track(Index vertex) const;
   /// The slot of a vertex that has a line or plane of its own, or kNone.

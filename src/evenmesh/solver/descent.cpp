@@ -20,7 +20,9 @@ constexpr double kShortestStep = 1e-6;  // of a step that cannot be taken whole
 constexpr int kMostLimitRounds = 15;
 constexpr int kStrikes = 3;  // vertices limited this often stay where they are
 constexpr int kFailuresBeforeLbfgs = 2;
-constexpr int kSlowAfter = 100;  // iterations in which the gradient should fall tenfold
+constexpr int kSlowAfter = 100;     // iterations in which the gradient should fall tenfold
+constexpr double kInnerFall = 0.1;  // of the gradient before multipliers are worth updating
+constexpr int kStepsBetweenLooks = 30;
 
 class Descent {
  public:
@@ -40,14 +42,18 @@ class Descent {
         g_new_(x.size()),
         z_(x.size()),
         p_(x.size(), Vec3::Zero()),
-        strikes_(x.size(), 0) {}
+        places_(objective.motion().start()),
+        places_new_(places_),
+        strikes_(x.size(), 0),
+        inverted_(objective.lagrangian() != nullptr ? 1 : 0) {}
 
   void run() {
-    cost_ = evaluate(x_, g_);
+    cost_ = evaluate(x_, places_, g_);
     precondition();
     start_ = std::sqrt(std::max(decrement_, std::max(0.0, cost_)));
     start_decrement_ = decrement_;
     start_plain_ = dot(workers_, g_, g_);
+    look_for_inverted_cells();
     record(0.0, 0.0, 0);
     report_.stop = Stop::iteration_limit;
     if (!std::isfinite(cost_) || !std::isfinite(decrement_)) {
@@ -55,14 +61,15 @@ class Descent {
       return;
     }
     // z is what a Newton step would move. Less than the rounding of coordinates is nothing.
-    if (largest(workers_, z_) <= kNoMove * largest(workers_, x_)) {
+    if (largest(workers_, z_) <= kNoMove * largest(workers_, x_) && demands_are_met()) {
       report_.stop = Stop::converged;
       return;
     }
+    inner_target_ = kInnerFall * norm();
     for (int i = 1;; ++i) {
       if (observe_ && !observe_(x_)) return;
       const bool go_on = !options_.progress || options_.progress(report_.history.back());
-      if (std::sqrt(twice_the_gain()) <= options_.tolerance * start_) {
+      if (done()) {
         report_.stop = Stop::converged;
         return;
       }
@@ -75,7 +82,7 @@ class Descent {
         return;
       }
       if (i > options_.max_iterations) return;
-      if (!step()) {
+      if (!step() && !change_function(true)) {
         report_.stop = Stop::no_descent;
         return;
       }
@@ -87,9 +94,11 @@ class Descent {
     return options_.time_limit_seconds > 0.0 && timer_.seconds() >= options_.time_limit_seconds;
   }
 
-  double evaluate(const std::vector<Vec3>& x, std::vector<Vec3>& g) {
+  double evaluate(const std::vector<Vec3>& x, const Motion::Places& places, std::vector<Vec3>& g) {
     ++evaluations_;
-    return objective_.evaluate(workers_, x, g);
+    const double value = objective_.evaluate(workers_, x, g);
+    objective_.motion().reduce(workers_, places, g);
+    return value;
   }
 
   // z = M g, and what a Newton step with M would gain, twice.
@@ -100,17 +109,64 @@ class Descent {
     if (decrement_ < 0.0) decrement_ = 0.0;  // rounding; what is not a number stays so
   }
 
+  // ---- constraints: the function changes on the way ----
+
+  double norm() const { return std::sqrt(twice_the_gain()); }
+
+  bool demands_are_met() {
+    const Lagrangian* lagrangian = objective_.lagrangian();
+    return lagrangian == nullptr || lagrangian->violation(workers_, x_).greatest == 0.0;
+  }
+
+  // True if the function has been minimised and is the last one.
+  bool done() {
+    if (norm() <= options_.tolerance * start_) return !change_function(true);
+    const Lagrangian* lagrangian = objective_.lagrangian();
+    const bool often =
+        lagrangian != nullptr && lagrangian->mode() == Lagrangian::Mode::exact_penalty;
+    if (often || norm() <= inner_target_ || ++steps_since_look_ >= kStepsBetweenLooks) {
+      change_function(false);
+    }
+    return false;
+  }
+
+  // Lets multipliers and penalties follow the iterates; true if that made it another function.
+  bool change_function(bool converged) {
+    Lagrangian* lagrangian = objective_.lagrangian();
+    if (lagrangian == nullptr) return false;
+    const bool changed = lagrangian->advance(workers_, x_, steps_since_change_,
+                                             converged || norm() <= inner_target_);
+    steps_since_look_ = 0;
+    if (!changed) {
+      inner_target_ = std::min(inner_target_, kInnerFall * norm());
+      return false;
+    }
+    steps_since_change_ = 0;
+    cost_ = evaluate(x_, places_, g_);
+    precondition();
+    conjugate_.restart();
+    lbfgs_.restart();
+    lbfgs_on_ = false;
+    slow_since_ = report_.history.size();
+    trial_ = 1.0;
+    inner_target_ = kInnerFall * norm();
+    return true;
+  }
+
+  // While cells are inverted steps are not limited: they have to pass through one another.
+  void look_for_inverted_cells() {
+    const Lagrangian* lagrangian = objective_.lagrangian();
+    if (lagrangian == nullptr || inverted_ == 0) return;
+    inverted_ = lagrangian->violation(workers_, x_).inverted;
+  }
+
   // About twice what the cost can still fall; below a part of the cost it is lost in rounding.
   // Where springs are much stiffer than the cost, steps are far longer than 1 and the gain is as
   // many times what the preconditioner makes of it.
   double twice_the_gain() const { return (trial_ > 10.0 ? trial_ : 1.0) * decrement_; }
 
   void project(std::vector<Vec3>& vectors) {
-    for_ranges(workers_, vectors.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t v = first; v < last; ++v) {
-        vectors[v] = objective_.motion().project(static_cast<Index>(v), vectors[v]);
-      }
-    });
+    objective_.motion().project(workers_, places_, vectors);
   }
 
   // One iterate further; false if no direction leads down.
@@ -137,14 +193,21 @@ class Descent {
     if (lbfgs_on_) lbfgs_.remember(workers_, x_new_, x_, g_new_, g_);
     std::swap(x_, x_new_);
     std::swap(g_, g_new_);
+    std::swap(places_, places_new_);
     cost_ = cost_new_;
+    ++steps_since_change_;
     precondition();
+    look_for_inverted_cells();
     record(alpha, max_move, limited);
     return true;
   }
 
   void choose_direction() {
-    if (!lbfgs_on_) return conjugate_.next(workers_, g_, g_new_, z_, p_);
+    if (!lbfgs_on_) {
+      conjugate_.next(workers_, g_, g_new_, z_, p_);
+      if (!objective_.motion().slots().empty()) project(p_);  // directions turn along tracks
+      return;
+    }
     p_ = g_;
     lbfgs_.before_preconditioner(workers_, p_);
     preconditioner_.apply(workers_, p_, p_);
@@ -162,7 +225,7 @@ class Descent {
 
   void note_slowness() {
     const std::size_t n = report_.history.size();
-    if (lbfgs_on_ || n <= kSlowAfter) return;
+    if (lbfgs_on_ || n <= slow_since_ + kSlowAfter) return;
     if (report_.history.back().gradient > 0.1 * report_.history[n - 1 - kSlowAfter].gradient) {
       lbfgs_on_ = true;
     }
@@ -193,14 +256,20 @@ class Descent {
   }
 
   double try_step(double alpha) {
-    add(workers_, x_, alpha, p_, x_new_);
-    cost_new_ = evaluate(x_new_, g_new_);
+    move_to(alpha);
+    cost_new_ = evaluate(x_new_, places_new_, g_new_);
     return dot(workers_, g_new_, p_);
+  }
+
+  void move_to(double alpha) {
+    add(workers_, x_, alpha, p_, x_new_);
+    objective_.motion().retract(workers_, x_, places_, x_new_, places_new_);
   }
 
   // Shortens the step of vertices around cells that it would turn over, halving until none does.
   // Returns how many vertices that took, or kRejected.
   std::size_t limit(double& alpha) {
+    if (inverted_ > 0) return 0;
     std::vector<Index> shortened;
     // Stopping one vertex can make the next cell turn over, and so on through the mesh. Where that
     // does not end soon the whole step is too long.
@@ -209,7 +278,7 @@ class Descent {
       forget_shortened(shortened);
       alpha *= 0.3;
       if (alpha < kShortestStep * whole) return kRejected;
-      add(workers_, x_, alpha, p_, x_new_);
+      move_to(alpha);
     }
     const std::size_t limited = shortened.size();
     if (limited == 0 && alpha == whole) return 0;
@@ -217,7 +286,7 @@ class Descent {
     if (alpha == whole) {
       for (const Index v : shortened) hold_after_strikes(v);
     }
-    cost_new_ = evaluate(x_new_, g_new_);
+    cost_new_ = evaluate(x_new_, places_new_, g_new_);
     const bool lower = cost_new_ <= cost_ + kRounding * std::abs(cost_);
     if (!lower) {
       // What the others gain does not make up for it: go without these vertices.
@@ -240,10 +309,14 @@ class Descent {
   void shorten(const std::vector<Index>& offenders, int round, double alpha,
                std::vector<Index>& shortened) {
     if (part_.empty()) part_.assign(x_.size(), 1.0f);
-    for (const Index v : offenders) {
+    const Motion& motion = objective_.motion();
+    for (const Index offender : offenders) {
+      const Index v = motion.leader(offender);
+      if (motion.freedom(v) == Motion::Freedom::fixed) continue;
       if (part_[v] == 1.0f) shortened.push_back(v);
       part_[v] = round < 4 ? 0.5f * part_[v] : 0.0f;
       x_new_[v] = x_[v] + part_[v] * alpha * p_[v];
+      motion.retract(v, x_, places_, x_new_, places_new_);
     }
   }
 
@@ -273,7 +346,8 @@ class Descent {
     }
     // Nothing gained this way either; the next direction starts afresh from where we are.
     x_new_ = x_;
-    cost_new_ = evaluate(x_new_, g_new_);
+    places_new_ = places_;
+    cost_new_ = evaluate(x_new_, places_new_, g_new_);
   }
 
   void record(double step, double max_move, std::size_t limited) {
@@ -287,6 +361,7 @@ class Descent {
                                .step = step,
                                .max_move = max_move,
                                .limited = limited,
+                               .inverted = inverted_,
                                .evaluations = evaluations_,
                                .seconds = timer_.seconds()});
   }
@@ -306,7 +381,9 @@ class Descent {
   std::vector<Vec3> x_new_;
   std::vector<Vec3> g_, g_new_;  // after a step g_new_ holds the previous gradient
   std::vector<Vec3> z_, p_;
+  Motion::Places places_, places_new_;
   std::vector<std::uint8_t> strikes_;
+  std::size_t inverted_;     // cells, of those that constraints want valid
   std::vector<float> part_;  // of its step that a vertex takes, 1 but while limit() is at work
   double cost_ = 0.0;
   double cost_new_ = 0.0;
@@ -314,7 +391,11 @@ class Descent {
   double start_ = 0.0;
   double start_decrement_ = 0.0;
   double start_plain_ = 0.0;
-  double trial_ = 1.0;  // step length to try first
+  double trial_ = 1.0;          // step length to try first
+  double inner_target_ = 0.0;   // norm at which constraints are looked at again
+  int steps_since_change_ = 0;  // of the function
+  int steps_since_look_ = 0;    // at constraints
+  std::size_t slow_since_ = 0;  // iterate from which on slowness counts
   int evaluations_ = 0;
   int failures_ = 0;
   bool lbfgs_on_ = false;

@@ -106,6 +106,10 @@ void hold_free_pieces(std::vector<char> held, SymmetricMatrix& matrix) {
 Objective::Objective(const Mesh& mesh, const Problem& problem)
     : problem_(problem), layout_(mesh.cells(), mesh.point_count()), motion_(problem.motion) {}
 
+void Objective::constrain(Workers& workers, const Mesh& mesh) {
+  lagrangian_.emplace(workers, mesh, problem_, layout_);
+}
+
 double Objective::evaluate(Workers& workers, Points x, std::span<Vec3> gradient) const {
   assert(x.size() == size() && (gradient.empty() || gradient.size() == size()));
   for_ranges(workers, gradient.size(), [&](std::size_t first, std::size_t last) {
@@ -114,13 +118,26 @@ double Objective::evaluate(Workers& workers, Points x, std::span<Vec3> gradient)
   });
   std::vector<double> partial(layout_.chunks(), 0.0);
   layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
-    for (const Term& term : problem_.terms) {
-      partial[chunk] += term.cost->evaluate(block.cells, x, term.weight, gradient);
-    }
+    partial[chunk] += evaluate(block, x, gradient);
   });
-  for_ranges(workers, gradient.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
-      gradient[v] = motion_.project(static_cast<Index>(v), gradient[v]);
+  double sum = lagrangian_ ? lagrangian_->evaluate_others(x, gradient) : 0.0;
+  for (const double value : partial) sum += value;
+  return sum;
+}
+
+double Objective::evaluate(const Layout::Block& block, Points x, std::span<Vec3> gradient) const {
+  double sum = 0.0;
+  for (const Term& term : problem_.terms) {
+    sum += term.cost->evaluate(block.cells, x, term.weight, gradient);
+  }
+  return lagrangian_ ? sum + lagrangian_->evaluate(block, x, gradient) : sum;
+}
+
+double Objective::cost(Workers& workers, Points x) const {
+  std::vector<double> partial(layout_.chunks(), 0.0);
+  layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
+    for (const Term& term : problem_.terms) {
+      partial[chunk] += term.cost->evaluate(block.cells, x, term.weight, {});
     }
   });
   double sum = 0.0;
@@ -128,7 +145,10 @@ double Objective::evaluate(Workers& workers, Points x, std::span<Vec3> gradient)
   return sum;
 }
 
-SymmetricMatrix Objective::majoriser(Workers& workers, Points x) const {
+SymmetricMatrix Objective::majoriser(Workers& all_workers, Points x) const {
+  // Springs of one chunk may add to rows of any other through tied vertices.
+  Workers alone;
+  Workers& workers = motion_.has_ties() ? alone : all_workers;
   const auto for_springs = [&](const std::function<void(std::size_t, const Spring&)>& body) {
     layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
       std::vector<Spring> springs;
@@ -136,6 +156,8 @@ SymmetricMatrix Objective::majoriser(Workers& workers, Points x) const {
         springs.clear();
         term.cost->add_springs(block.cells, x, springs);
         for (Spring& spring : springs) {
+          spring.a = motion_.leader(spring.a);
+          spring.b = motion_.leader(spring.b);
           if (spring.a == spring.b) continue;
           spring.stiffness *= term.weight;
           body(chunk, spring);

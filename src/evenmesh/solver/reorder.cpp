@@ -1,9 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/solver/reorder.h"
 
+#include <memory>
+#include <utility>
+
 #include "evenmesh/mesh/ordering.h"
 
 namespace evenmesh {
+namespace {
+
+// A function of vertices that have other numbers now.
+class RenumberedFunction : public Function {
+ public:
+  RenumberedFunction(std::shared_ptr<const Function> function, std::span<const Index> number,
+                     std::span<const Index> order)
+      : function_(std::move(function)), order_(order.begin(), order.end()) {
+    for (const Index v : function_->vertices()) vertices_.push_back(number[v]);
+  }
+  std::string_view name() const override { return function_->name(); }
+  std::span<const Index> vertices() const override { return vertices_; }
+  double evaluate(Points x, std::span<Vec3> gradient) const override {
+    std::vector<Vec3> original(x.size(), Vec3::Zero());
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      original[order_[vertices_[i]]] = x[vertices_[i]];
+    }
+    return function_->evaluate(original, gradient);
+  }
+
+ private:
+  std::shared_ptr<const Function> function_;
+  std::vector<Index> vertices_;
+  std::vector<Index> order_;
+};
+
+}  // namespace
 
 std::vector<Vec3> Reordered::to_original(Points points) const {
   std::vector<Vec3> result(points.size());
@@ -29,6 +59,16 @@ std::optional<Reordered> reorder_if_poor(const Mesh& mesh, const Problem& proble
 
   result.problem.terms = problem.terms;
   result.problem.motion = problem.motion.renumbered(result.order);
+  result.problem.validity = problem.validity;
+  for (const Bound& bound : problem.bounds) {
+    result.problem.bounds.push_back(bound);
+    result.problem.bounds.back().function =
+        std::make_shared<RenumberedFunction>(bound.function, number, result.order);
+  }
+  if (!problem.max_move.empty()) {
+    result.problem.max_move.reserve(result.order.size());
+    for (const Index v : result.order) result.problem.max_move.push_back(problem.max_move[v]);
+  }
   const Orientation& from = problem.orientation;
   Orientation& to = result.problem.orientation;
   to.type = from.type;

@@ -46,13 +46,14 @@ constexpr std::string_view name(Promise promise) {
 /// One iterate of the solver.
 struct Iteration {
   int number = 0;               // 0: the input
-  double cost = 0.0;            // f, in the units of the costs
+  double cost = 0.0;            // f and what constraints add to it, in the units of the costs
   double gradient = 0.0;        // |g| in the norm sqrt(g^T M g) of the preconditioner M, over the
                                 // same at the start; does not depend on the size of the mesh
   double plain_gradient = 0.0;  // Euclidean |g| over the same at the start
   double step = 0.0;            // step length along the search direction; 0 for the input
   double max_move = 0.0;        // longest move of a vertex in this step, mesh length unit
   std::size_t limited = 0;      // vertices whose step was shortened so that no cell turns over
+  std::size_t inverted = 0;     // cells with a vertex that may move
   int evaluations = 0;          // of cost and gradient so far
   double seconds = 0.0;         // wall-clock since the solver began
 };

@@ -104,6 +104,7 @@ class Smoothing {
     timer_ = Timer();
     const double cpu_before = cpu_seconds();
     Objective objective(mesh_, problem_);
+    objective.constrain(workers_, mesh_);
     Multigrid preconditioner(workers_, objective.majoriser(workers_, points_));
     report_.multigrid_levels = preconditioner.levels();
     report_.setup_seconds = timer_.seconds();
@@ -115,7 +116,7 @@ class Smoothing {
     timer_ = Timer();
     descend(workers_, objective, preconditioner, flips, options_, points_, report_);
     report_.solve_seconds = timer_.seconds();
-    report_.cost_before = report_.history.front().cost;
+    report_.cost_before = objective.cost(workers_, mesh_.points());
 
     timer_ = Timer();
     Guard::Result result = guard_.enforce(workers_, points_, judge(), options_.representable);
@@ -123,7 +124,7 @@ class Smoothing {
     report_.promise = result.promise;
     report_.pulled_back = result.pulled_back;
     report_.quality_after = result.after;
-    report_.cost_after = objective.evaluate(workers_, points_, {});
+    report_.cost_after = objective.cost(workers_, points_);
     restore_unmoved(mesh_.points(), points_);
     count_moves(mesh_.points(), points_, report_);
     report_.check_seconds += timer_.seconds();
@@ -147,6 +148,7 @@ class Smoothing {
     again.history.clear();
     again.held = 0;
     objective.motion() = problem_.motion;
+    objective.lagrangian()->reset();
     std::vector<Vec3> x(mesh_.points().begin(), mesh_.points().end());
     std::vector<Vec3> best = x;
     double best_mean = guard_.before().of(Metric::shape).mean;

@@ -1,0 +1,505 @@
+// SPDX-License-Identifier: MIT
+#include "evenmesh/solver/lagrangian.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "evenmesh/mesh/measure.h"
+
+namespace evenmesh {
+namespace {
+
+constexpr double kMu = 20.0;  // weight of the exact penalty: must exceed multipliers
+constexpr std::array kDeltas = {0.1, 0.02, 0.004};
+constexpr int kMostStepsInStage = 12;
+constexpr int kMostStepsInRound = 40;
+constexpr double kFirstRho = 10.0;
+constexpr double kGreatestRho = 1e4;
+constexpr double kRhoGrowth = 2.0;
+constexpr double kResidualFall = 0.4;  // what a round should bring at least
+constexpr int kMostRounds = 60;
+constexpr double kMet = 1e-6;     // what counts as meeting a demand, in units of v
+constexpr double kMargin = 2e-6;  // what is aimed at beyond the demand, so that it is met strictly
+
+// Triangles and tets have the same determinant at every corner.
+std::size_t rows_of(CellKind kind) {
+  if (kind == CellKind::triangle || kind == CellKind::tet || kind == CellKind::polygon) return 1;
+  return traits(kind).corners.size();
+}
+
+// Twice a polygon's area about a direction.
+struct PolygonArea {
+  std::span<const Index> vertices;
+  Points x;
+  Vec3 up;
+
+  double determinant() const {
+    Vec3 sum = Vec3::Zero();
+    const Vec3& first = x[vertices[0]];
+    for (std::size_t i = 2; i < vertices.size(); ++i) {
+      sum += (x[vertices[i - 1]] - first).cross(x[vertices[i]] - first);
+    }
+    return sum.dot(up);
+  }
+  void add_gradient(double factor, std::span<Vec3> gradient) const {
+    const std::size_t n = vertices.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3 across = x[vertices[(i + 1) % n]] - x[vertices[(i + n - 1) % n]];
+      gradient[vertices[i]] += factor * across.cross(up);
+    }
+  }
+};
+
+// (p x q).up at a corner of a surface cell.
+struct PlaneCorner {
+  std::array<Index, 3> vertices;
+  Vec3 p, q, up;
+
+  PlaneCorner(Index at, Index next, Index previous, Points x, const Vec3& up_)
+      : vertices{at, next, previous}, p(x[next] - x[at]), q(x[previous] - x[at]), up(up_) {}
+  double determinant() const { return p.cross(q).dot(up); }
+  void add_gradient(double factor, std::span<Vec3> gradient) const {
+    const Vec3 by_p = factor * q.cross(up);
+    const Vec3 by_q = factor * up.cross(p);
+    gradient[vertices[0]] -= by_p + by_q;
+    gradient[vertices[1]] += by_p;
+    gradient[vertices[2]] += by_q;
+  }
+};
+
+// (p x q).r at a corner of a volume cell.
+struct SpaceCorner {
+  std::array<Index, 4> vertices;
+  Vec3 p, q, r;
+  double sign;
+
+  double determinant() const { return sign * p.cross(q).dot(r); }
+  void add_gradient(double factor, std::span<Vec3> gradient) const {
+    const Vec3 by_p = factor * sign * q.cross(r);
+    const Vec3 by_q = factor * sign * r.cross(p);
+    const Vec3 by_r = factor * sign * p.cross(q);
+    gradient[vertices[0]] -= by_p + by_q + by_r;
+    gradient[vertices[1]] += by_p;
+    gradient[vertices[2]] += by_q;
+    gradient[vertices[3]] += by_r;
+  }
+};
+
+// Calls body(k, corner) for the rows k of a cell.
+template <typename Body>
+void for_corners(CellKind kind, std::span<const Index> cell, Points x, const Vec3& up, double sign,
+                 const Body& body) {
+  if (kind == CellKind::triangle) {
+    body(0u, PlaneCorner(cell[0], cell[1], cell[2], x, up));
+  } else if (kind == CellKind::quad) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      body(k, PlaneCorner(cell[k], cell[(k + 1) % 4], cell[(k + 3) % 4], x, up));
+    }
+  } else if (kind == CellKind::polygon) {
+    body(0u, PolygonArea{cell, x, up});
+  } else {
+    const auto corners = traits(kind).corners;
+    for (std::uint32_t k = 0; k < rows_of(kind); ++k) {
+      const auto& c = corners[k];
+      const Index at = cell[c.vertex];
+      const std::array<Index, 4> vertices = {at, cell[c.neighbours[0]], cell[c.neighbours[1]],
+                                             cell[c.neighbours[2]]};
+      body(k, SpaceCorner{vertices, x[vertices[1]] - x[at], x[vertices[2]] - x[at],
+                          x[vertices[3]] - x[at], sign});
+    }
+  }
+}
+
+bool repeats_a_vertex(std::span<const Index> cell) {
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    for (std::size_t j = i + 1; j < cell.size() && cell.size() <= 8; ++j) {
+      if (cell[i] == cell[j]) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+template <typename Body>
+void Lagrangian::for_rows(const Layout::Block& block, Points x, const Body& body) const {
+  if (demands_.empty()) return;
+  for (std::size_t i = 0; i < block.cells.size(); ++i) {
+    const Demand& demand = demands_[block.first + i];
+    if (demand.scale == 0.0f) continue;
+    const std::uint32_t number = block.numbers[i];
+    const double scale = demand.scale / size_unit_;
+    for_corners(block.cells.kind, block.cells.cell(i), x, problem_.orientation.up(number),
+                problem_.orientation.sign(number), [&](std::uint32_t k, const auto& corner) {
+                  body(i, demand.row + k, scale * corner.determinant() - demand.least, corner);
+                });
+  }
+}
+
+// ---- setting up
+// ----------------------------------------------------------------------------------
+
+Lagrangian::Lagrangian(Workers& workers, const Mesh& input, const Problem& problem,
+                       const Layout& layout)
+    : input_(input), problem_(problem), layout_(layout) {
+  set_up_scales(workers);
+  if (problem.validity.demanded) set_up_cells(workers);
+  set_up_functions();
+  for (std::size_t v = 0; v < problem.max_move.size(); ++v) {
+    const auto vertex = static_cast<Index>(v);
+    if (problem.motion.freedom(vertex) == Motion::Freedom::fixed) continue;
+    if (std::isfinite(problem.max_move[v])) leashes_.push_back({vertex, problem.max_move[v]});
+  }
+  start_violates_ = violation(workers, input.points()).cells > 0;
+  reset();
+}
+
+void Lagrangian::reset() {
+  std::fill(lambda_.begin(), lambda_.end(), 0.0f);
+  for (FunctionRow& row : functions_) row.lambda = 0.0;
+  for (Leash& leash : leashes_) leash.lambda = 0.0;
+  rho_ = kFirstRho;
+  rounds_ = 0;
+  last_residual_ = std::numeric_limits<double>::infinity();
+  settled_ = demands_.empty() && functions_.empty() && leashes_.empty();
+  enter_stage(start_violates_ ? 0 : static_cast<int>(kDeltas.size()));
+}
+
+// Geometric mean of the springs' stiffnesses, which a collapsed cell cannot spoil.
+double Lagrangian::typical_stiffness(const CellBlock& cells) const {
+  std::vector<Spring> springs;
+  double sum = 0.0;
+  for (const Term& term : problem_.terms) {
+    springs.clear();
+    term.cost->add_springs(cells, input_.points(), springs);
+    double logs = 0.0;
+    std::size_t count = 0;
+    for (const Spring& spring : springs) {
+      if (!(spring.stiffness > 0.0) || !std::isfinite(spring.stiffness)) continue;
+      logs += std::log(spring.stiffness);
+      ++count;
+    }
+    if (count > 0) sum += term.weight * std::exp(logs / static_cast<double>(count));
+  }
+  return sum > 0.0 && std::isfinite(sum) ? sum : 1.0;
+}
+
+void Lagrangian::set_up_scales(Workers& workers) {
+  stiffnesses_.assign(layout_.chunks(), 0.0);
+  layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
+    stiffnesses_[chunk] = std::max(stiffnesses_[chunk], typical_stiffness(block.cells));
+  });
+  sizes_ = reference_sizes(input_, problem_.orientation);
+  dimension_ = problem_.orientation.type == MeshType::volume ? 3.0 : 2.0;
+  const auto greatest = [](const std::vector<double>& values) {
+    const double most = values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+    return most > 0.0 ? most : 1.0;
+  };
+  other_stiffness_ = greatest(stiffnesses_);
+  size_unit_ = greatest(sizes_);
+  const double mean = std::max(mean_size(input_, problem_.orientation), 1e-3 * size_unit_);
+  typical_length_ = std::pow(mean, 1.0 / dimension_);
+  weight_unit_ = other_stiffness_ * std::pow(size_unit_, 2.0 / dimension_);
+}
+
+void Lagrangian::set_up_cells(Workers& workers) {
+  const Validity& validity = problem_.validity;
+  demands_.resize(layout_.cells());
+  std::vector<std::uint32_t> rows(layout_.cells() + 1, 0);
+  layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
+    const CellKind kind = block.cells.kind;
+    const double ideal = ideal_determinant(kind);
+    for (std::size_t i = 0; i < block.cells.size(); ++i) {
+      const std::uint32_t number = block.numbers[i];
+      const auto cell = block.cells.cell(i);
+      const Vec3 up = problem_.orientation.up(number);
+      const double size = sizes_[number];
+      const bool fixed = std::all_of(cell.begin(), cell.end(), [&](Index v) {
+        return problem_.motion.freedom(v) == Motion::Freedom::fixed;
+      });
+      if (!(size > 0.0) || fixed || repeats_a_vertex(cell)) continue;
+      if (traits(kind).dimension == 2 && up.isZero()) continue;
+      const double unit = size * ideal;
+      double own = std::numeric_limits<double>::infinity();
+      for_corners(kind, cell, input_.points(), up, problem_.orientation.sign(number),
+                  [&](std::uint32_t, const auto& corner) {
+                    own = std::min(own, corner.determinant() / unit);
+                  });
+      double least = validity.min_jacobian;
+      if (least == 0.0) {
+        least = Validity::kDefaultJacobian;
+        if (own > 0.0) least = std::min(least, 0.5 * own);
+      }
+      if (validity.min_size > 0.0) least = std::max(least, validity.min_size / size);
+      Demand& demand = demands_[block.first + i];
+      demand.scale = static_cast<float>(size_unit_ / unit);
+      demand.least = static_cast<float>(least);
+      demand.weight =
+          static_cast<float>(stiffnesses_[chunk] * std::pow(size, 2.0 / dimension_) / weight_unit_);
+      rows[block.first + i + 1] = static_cast<std::uint32_t>(rows_of(kind));
+    }
+  });
+  for (std::size_t i = 0; i < demands_.size(); ++i) {
+    rows[i + 1] += rows[i];
+    demands_[i].row = rows[i];
+  }
+  lambda_.assign(rows.back(), 0.0f);
+  if (rows.back() == 0) demands_.clear();
+  sizes_ = {};
+}
+
+void Lagrangian::set_up_functions() {
+  std::vector<Vec3> gradient;
+  for (std::size_t b = 0; b < problem_.bounds.size(); ++b) {
+    const Bound& bound = problem_.bounds[b];
+    gradient.assign(bound.function->vertices().size(), Vec3::Zero());
+    bound.function->evaluate(input_.points(), gradient);
+    double squares = 0.0;
+    for (const Vec3& g : gradient) squares += g.squaredNorm();
+    double unit = std::sqrt(squares) * typical_length_;
+    if (!(unit > 0.0) || !std::isfinite(unit)) unit = typical_length_;
+    const auto number = static_cast<std::uint32_t>(b);
+    if (bound.is_equation()) {
+      functions_.push_back({number, 1.0, bound.lower, true, unit});
+      continue;
+    }
+    if (std::isfinite(bound.lower)) {
+      functions_.push_back({number, 1.0, bound.lower, false, unit});
+    }
+    if (std::isfinite(bound.upper)) {
+      functions_.push_back({number, -1.0, bound.upper, false, unit});
+    }
+  }
+}
+
+// ---- the function
+// --------------------------------------------------------------------------------
+
+Lagrangian::Slope Lagrangian::psi(double v, double lambda) const {
+  if (mode_ == Mode::multipliers) {
+    const double force = lambda - rho_ * (v - kMargin);
+    if (force <= 0.0) return {-lambda * lambda / (2.0 * rho_), 0.0};
+    return {(force * force - lambda * lambda) / (2.0 * rho_), -force};
+  }
+  const double root = std::sqrt(v * v + 4.0 * delta_ * delta_);
+  // root - v without cancellation.
+  const double gap = v > 0.0 ? 4.0 * delta_ * delta_ / (root + v) : root - v;
+  return {0.5 * kMu * gap, -0.5 * kMu * gap / root};
+}
+
+Lagrangian::Slope Lagrangian::psi_of_equation(double v, double lambda) const {
+  return {(0.5 * rho_ * v - lambda) * v, rho_ * v - lambda};
+}
+
+double Lagrangian::value_of(const Leash& leash, Points x) const {
+  const double move = (x[leash.vertex] - input_.points()[leash.vertex]).norm() / leash.length;
+  return 1.0 - move * move;
+}
+
+double Lagrangian::evaluate(const Layout::Block& block, Points x, std::span<Vec3> gradient) const {
+  double sum = 0.0;
+  for_rows(block, x, [&](std::size_t i, std::uint32_t row, double v, const auto& corner) {
+    const Slope slope = psi(v, lambda_[row]);
+    const Demand& demand = demands_[block.first + i];
+    sum += demand.weight * slope.value;
+    if (gradient.empty() || slope.derivative == 0.0) return;
+    const double factor = weight_unit_ * demand.weight * slope.derivative;
+    corner.add_gradient(factor * (demand.scale / size_unit_), gradient);
+  });
+  return weight_unit_ * sum;
+}
+
+double Lagrangian::evaluate_others(Points x, std::span<Vec3> gradient) const {
+  double sum = 0.0;
+  std::vector<Vec3> part;
+  const double weight = other_stiffness_ * typical_length_ * typical_length_;
+  for (const FunctionRow& row : functions_) {
+    const Function& function = *problem_.bounds[row.bound].function;
+    part.assign(gradient.empty() ? 0 : function.vertices().size(), Vec3::Zero());
+    const double v = value_of(row, function.evaluate(x, part));
+    const Slope slope = row.equation ? psi_of_equation(v, row.lambda) : psi(v, row.lambda);
+    sum += weight * slope.value;
+    if (slope.derivative == 0.0) continue;
+    const double factor = weight * slope.derivative * row.sign / row.unit;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      gradient[function.vertices()[i]] += factor * part[i];
+    }
+  }
+  for (const Leash& leash : leashes_) {
+    const double leash_weight = other_stiffness_ * leash.length * leash.length;
+    const Slope slope = psi(value_of(leash, x), leash.lambda);
+    sum += leash_weight * slope.value;
+    if (gradient.empty() || slope.derivative == 0.0) continue;
+    const Vec3 move = x[leash.vertex] - input_.points()[leash.vertex];
+    gradient[leash.vertex] -= 2.0 * other_stiffness_ * slope.derivative * move;
+  }
+  return sum;
+}
+
+// ---- the schedule
+// --------------------------------------------------------------------------------
+
+void Lagrangian::enter_stage(int stage) {
+  stage_ = stage;
+  steps_ = 0;
+  const bool penalty = stage < static_cast<int>(kDeltas.size());
+  mode_ = penalty ? Mode::exact_penalty : Mode::multipliers;
+  if (penalty) delta_ = kDeltas[static_cast<std::size_t>(stage)];
+}
+
+bool Lagrangian::advance(Workers& workers, Points x, int steps, bool converged) {
+  if (settled_) return false;
+  steps_ += steps;
+  if (mode_ == Mode::exact_penalty) {
+    const bool met = violation(workers, x).cells == 0;
+    if (!met && !converged && steps_ < kMostStepsInStage) return false;
+    if (met || stage_ + 1 == static_cast<int>(kDeltas.size())) {
+      take_multipliers_from_penalty(workers, x);
+      enter_stage(static_cast<int>(kDeltas.size()));
+    } else {
+      enter_stage(stage_ + 1);
+    }
+    return true;
+  }
+  const double now = residual(workers, x);
+  if (now <= kMet) {
+    settled_ = converged;
+    return false;
+  }
+  if (++rounds_ > kMostRounds) {
+    settled_ = true;  // what is demanded cannot be had
+    return false;
+  }
+  update_multipliers(workers, x);
+  if (now > kResidualFall * last_residual_) rho_ = std::min(kRhoGrowth * rho_, kGreatestRho);
+  last_residual_ = now;
+  steps_ = 0;
+  return true;
+}
+
+void Lagrangian::take_multipliers_from_penalty(Workers& workers, Points x) {
+  layout_.for_blocks(workers, [&](std::size_t, const Layout::Block& block) {
+    for_rows(block, x, [&](std::size_t, std::uint32_t row, double v, const auto&) {
+      lambda_[row] = v < 5.0 * delta_ ? static_cast<float>(-psi(v, 0.0).derivative) : 0.0f;
+    });
+  });
+}
+
+double Lagrangian::residual(Workers& workers, Points x) const {
+  std::vector<double> greatest(layout_.chunks(), 0.0);
+  layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
+    for_rows(block, x, [&](std::size_t, std::uint32_t row, double v, const auto&) {
+      greatest[chunk] =
+          std::max(greatest[chunk], std::abs(std::min(v - kMargin, lambda_[row] / rho_)));
+    });
+  });
+  double most = greatest.empty() ? 0.0 : *std::max_element(greatest.begin(), greatest.end());
+  for (const FunctionRow& row : functions_) {
+    const double v = value_of(row, problem_.bounds[row.bound].function->evaluate(x, {}));
+    most = std::max(most, std::abs(row.equation ? v : std::min(v - kMargin, row.lambda / rho_)));
+  }
+  for (const Leash& leash : leashes_) {
+    most = std::max(most, std::abs(std::min(value_of(leash, x) - kMargin, leash.lambda / rho_)));
+  }
+  return most;
+}
+
+void Lagrangian::update_multipliers(Workers& workers, Points x) {
+  const auto next = [&](double lambda, double v) {
+    return std::max(0.0, lambda - rho_ * (v - kMargin));
+  };
+  layout_.for_blocks(workers, [&](std::size_t, const Layout::Block& block) {
+    for_rows(block, x, [&](std::size_t, std::uint32_t row, double v, const auto&) {
+      lambda_[row] = static_cast<float>(next(lambda_[row], v));
+    });
+  });
+  for (FunctionRow& row : functions_) {
+    const double v = value_of(row, problem_.bounds[row.bound].function->evaluate(x, {}));
+    row.lambda = row.equation ? row.lambda - rho_ * v : next(row.lambda, v);
+  }
+  for (Leash& leash : leashes_) leash.lambda = next(leash.lambda, value_of(leash, x));
+}
+
+// ---- what came of it
+// -----------------------------------------------------------------------------
+
+Lagrangian::Violation Lagrangian::violation(Workers& workers, Points x) const {
+  std::vector<Violation> parts(layout_.chunks());
+  layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
+    Violation& part = parts[chunk];
+    std::size_t last = ~std::size_t{0};
+    std::size_t last_inverted = ~std::size_t{0};
+    for_rows(block, x, [&](std::size_t i, std::uint32_t, double v, const auto&) {
+      if (v >= 0.0) return;
+      part.greatest = std::max(part.greatest, -v);
+      if (std::exchange(last, i) != i) ++part.cells;
+      if (v + demands_[block.first + i].least > 0.0) return;
+      if (std::exchange(last_inverted, i) != i) ++part.inverted;
+    });
+  });
+  Violation all;
+  for (const Violation& part : parts) {
+    all.greatest = std::max(all.greatest, part.greatest);
+    all.cells += part.cells;
+    all.inverted += part.inverted;
+  }
+  for (const FunctionRow& row : functions_) {
+    const double v = value_of(row, problem_.bounds[row.bound].function->evaluate(x, {}));
+    all.greatest = std::max(all.greatest, row.equation ? std::abs(v) : -v);
+  }
+  for (const Leash& leash : leashes_) all.greatest = std::max(all.greatest, -value_of(leash, x));
+  return all;
+}
+
+std::vector<Lagrangian::ActiveCell> Lagrangian::active_cells(Workers& workers, Points x) const {
+  std::vector<std::vector<ActiveCell>> parts(layout_.chunks());
+  layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
+    std::vector<ActiveCell>& part = parts[chunk];
+    for_rows(block, x, [&](std::size_t i, std::uint32_t row, double v, const auto&) {
+      const double multiplier = mode_ == Mode::multipliers ? lambda_[row] : 0.0;
+      if (multiplier == 0.0 && v >= 0.0) return;
+      const std::uint32_t number = block.numbers[i];
+      const double weighed = weight_unit_ * demands_[block.first + i].weight * multiplier;
+      if (part.empty() || part.back().cell != number) {
+        part.push_back({number, weighed, v});
+      } else {
+        part.back().multiplier += weighed;
+        part.back().least = std::min(part.back().least, v);
+      }
+    });
+  });
+  std::vector<ActiveCell> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  std::sort(all.begin(), all.end(),
+            [](const ActiveCell& a, const ActiveCell& b) { return a.cell < b.cell; });
+  return all;
+}
+
+std::vector<Lagrangian::ActiveBound> Lagrangian::active_bounds(Points x) const {
+  std::vector<ActiveBound> active;
+  const double weight = other_stiffness_ * typical_length_ * typical_length_;
+  for (const FunctionRow& row : functions_) {
+    const double v = value_of(row, problem_.bounds[row.bound].function->evaluate(x, {}));
+    const double excess = row.equation ? std::abs(v) : std::max(0.0, -v);
+    if (row.lambda == 0.0 && excess == 0.0) continue;
+    active.push_back({row.bound, weight * row.sign * row.lambda / row.unit, excess * row.unit});
+  }
+  return active;
+}
+
+std::vector<Lagrangian::ActiveBound> Lagrangian::active_leashes(Points x) const {
+  std::vector<ActiveBound> active;
+  for (const Leash& leash : leashes_) {
+    const double v = value_of(leash, x);
+    if (leash.lambda == 0.0 && v >= 0.0) continue;
+    // dv / dlength = 2 / length where v = 0.
+    active.push_back({leash.vertex, 2.0 * other_stiffness_ * leash.length * leash.lambda,
+                      leash.length * (std::sqrt(1.0 - std::min(v, 0.0)) - 1.0)});
+  }
+  return active;
+}
+
+}  // namespace evenmesh
