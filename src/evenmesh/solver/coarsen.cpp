@@ -17,51 +17,70 @@ bool is_strong(const SymmetricMatrix& matrix, std::size_t i, const SparseMatrix:
 }
 
 // Adds up a row's entries by column: a hash table with linear probing, emptied by taking.
+template <class Value>
 class RowSum {
  public:
-  void add(std::uint32_t column, float value) {
+  struct Entry {
+    std::uint32_t column;
+    Value value;
+  };
+
+  explicit RowSum(const Value& zero) : zero_(zero), slots_(64, {kEmpty, zero}) {}
+
+  void add(std::uint32_t column, const Value& value) {
     if (2 * (used_.size() + 1) > slots_.size()) grow();
-    std::size_t slot = place(column);
-    while (slots_[slot].column != column && slots_[slot].column != kEmpty) {
-      slot = (slot + 1) & (slots_.size() - 1);
-    }
+    const std::size_t slot = find(column);
     if (slots_[slot].column == kEmpty) {
-      slots_[slot] = {column, 0.0f};
+      slots_[slot] = {column, zero_};
       used_.push_back(static_cast<std::uint32_t>(slot));
     }
     slots_[slot].value += value;
   }
 
-  // Appends the entries to a row, in the order their columns first came, and starts anew.
-  void take(std::vector<SparseMatrix::Entry>& entries) {
+  // Null if nothing was added to the column.
+  const Value* at(std::uint32_t column) const {
+    const Entry& entry = slots_[find(column)];
+    return entry.column == column ? &entry.value : nullptr;
+  }
+
+  // Passes on the entries, in the order their columns first came, and starts anew.
+  template <class Body>
+  void take(const Body& body) {
     for (const std::uint32_t slot : used_) {
-      entries.push_back(slots_[slot]);
+      body(slots_[slot].column, slots_[slot].value);
       slots_[slot].column = kEmpty;
     }
     used_.clear();
   }
 
+  bool empty() const { return used_.empty(); }
+
  private:
   static constexpr std::uint32_t kEmpty = ~0u;
 
-  std::size_t place(std::uint32_t column) const {
-    return (column * 2654435761u) & (slots_.size() - 1);
+  std::size_t find(std::uint32_t column) const {
+    std::size_t slot = (column * 2654435761u) & (slots_.size() - 1);
+    while (slots_[slot].column != column && slots_[slot].column != kEmpty) {
+      slot = (slot + 1) & (slots_.size() - 1);
+    }
+    return slot;
   }
 
   void grow() {
-    std::vector<SparseMatrix::Entry> entries;
-    take(entries);
-    slots_.assign(2 * slots_.size(), {kEmpty, 0.0f});
-    for (const auto& [column, value] : entries) add(column, value);
+    std::vector<Entry> entries;
+    take([&](std::uint32_t column, const Value& value) { entries.push_back({column, value}); });
+    slots_.assign(2 * slots_.size(), {kEmpty, zero_});
+    for (const Entry& entry : entries) add(entry.column, entry.value);
   }
 
-  std::vector<SparseMatrix::Entry> slots_ = std::vector<SparseMatrix::Entry>(64, {kEmpty, 0.0f});
+  Value zero_;
+  std::vector<Entry> slots_;
   std::vector<std::uint32_t> used_;
 };
 
 // Makes a matrix row by row in parallel. make(i, sum) adds up row i.
 SparseMatrix build_rows(Workers& workers, std::size_t rows,
-                        const std::function<void(std::size_t, RowSum&)>& make) {
+                        const std::function<void(std::size_t, RowSum<float>&)>& make) {
   struct Part {
     std::vector<SparseMatrix::Entry> entries;
     std::vector<std::uint32_t> length;
@@ -69,11 +88,11 @@ SparseMatrix build_rows(Workers& workers, std::size_t rows,
   std::vector<Part> parts((rows + kRangeSize - 1) / kRangeSize);
   for_ranges(workers, rows, [&](std::size_t first, std::size_t last) {
     Part& part = parts[first / kRangeSize];
-    RowSum sum;
+    RowSum<float> sum(0.0f);
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t before = part.entries.size();
       make(i, sum);
-      sum.take(part.entries);
+      sum.take([&](std::uint32_t column, float value) { part.entries.push_back({column, value}); });
       part.length.push_back(static_cast<std::uint32_t>(part.entries.size() - before));
     }
   });
@@ -101,6 +120,137 @@ float gershgorin_bound(const SymmetricMatrix& matrix) {
     bound = std::max(bound, sum / matrix.diagonal[i]);
   }
   return bound;
+}
+
+// Some of the coupled rows, in ascending order.
+struct CoupledPart {
+  std::vector<Index> rows;
+  std::vector<Block> diagonal;
+  std::vector<float> values;
+  std::vector<std::uint32_t> length;
+
+  // Row i of the scalar matrix with the correction added to it.
+  void add(std::size_t i, const SymmetricMatrix& matrix, RowSum<Block>& correction) {
+    const auto row = static_cast<Index>(i);
+    const auto corrected = [&](std::uint32_t column, float value) {
+      const Block* const block = correction.at(column);
+      Eigen::Matrix3f result = Eigen::Matrix3f::Identity() * value;
+      if (block) result += block->topRows<3>();
+      return result;
+    };
+    rows.push_back(row);
+    const Eigen::Matrix3f own = corrected(row, matrix.diagonal[i]);
+    diagonal.push_back(Block::Zero());
+    diagonal.back().topRows<3>() = 0.5f * (own + own.transpose());
+    for (const auto& entry : matrix.off_diagonal.row(i)) {
+      const Eigen::Matrix3f block = corrected(entry.column, entry.value);
+      values.insert(values.end(), block.data(), block.data() + 9);
+    }
+    length.push_back(static_cast<std::uint32_t>(matrix.off_diagonal.row(i).size()));
+    correction.take([](std::uint32_t, const Block&) {});
+  }
+};
+
+CoupledRows joined(std::vector<CoupledPart>& parts, std::size_t count) {
+  CoupledRows result;
+  std::vector<Index> rows;
+  std::uint64_t end = 0;
+  for (CoupledPart& part : parts) {
+    rows.insert(rows.end(), part.rows.begin(), part.rows.end());
+    result.diagonal.insert(result.diagonal.end(), part.diagonal.begin(), part.diagonal.end());
+    for (const std::uint32_t length : part.length) {
+      result.start.push_back(end);
+      end += length;
+    }
+  }
+  result.values.reserve(9 * end + 1);
+  for (CoupledPart& part : parts) {
+    result.values.insert(result.values.end(), part.values.begin(), part.values.end());
+    part = {};
+  }
+  result.values.push_back(0.0f);
+  result.chosen = Chosen(rows, count);
+  return result;
+}
+
+// Entry (i, j) of P (S (x) I) P less that of S (x) I, for every j in row i.
+struct ProjectionCorrection {
+  const SymmetricMatrix& matrix;
+  const Projections& projections;
+
+  template <class Body>
+  void for_row(std::size_t i, const Body& body) const {
+    const std::uint32_t own = projections.chosen[i];
+    const auto add = [&](std::uint32_t j, float value) {
+      const std::uint32_t other = projections.chosen[j];
+      if (own == Chosen::kNone && other == Chosen::kNone) return;
+      Block product = own == Chosen::kNone ? projections.blocks[other]
+                      : other == Chosen::kNone
+                          ? projections.blocks[own]
+                          : times(projections.blocks[own], projections.blocks[other]);
+      product.diagonal().array() -= 1.0f;
+      body(j, Block(value * product));
+    };
+    add(static_cast<std::uint32_t>(i), matrix.diagonal[i]);
+    for (const auto& entry : matrix.off_diagonal.row(i)) add(entry.column, entry.value);
+  }
+
+  static Block times(const Block& a, const Block& b) {
+    Block result;
+    for (int k = 0; k < 3; ++k) {
+      result.col(k) = a.col(0) * b(0, k) + a.col(1) * b(1, k) + a.col(2) * b(2, k);
+    }
+    return result;
+  }
+};
+
+// What coupled rows have beyond the matrix of scalars.
+struct CouplingCorrection {
+  const SymmetricMatrix& matrix;
+  const CoupledRows& rows;
+
+  template <class Body>
+  void for_row(std::size_t i, const Body& body) const {
+    const std::uint32_t k = rows.chosen[i];
+    if (k == Chosen::kNone) return;
+    Block block = rows.diagonal[k];
+    block.diagonal().array() -= matrix.diagonal[i];
+    body(static_cast<std::uint32_t>(i), block);
+    const float* values = rows.couplings(k);
+    for (const auto& entry : matrix.off_diagonal.row(i)) {
+      block.topRows<3>() = Eigen::Map<const Eigen::Matrix3f>(values);
+      block.diagonal().array() -= entry.value;
+      body(entry.column, block);
+      values += 9;
+    }
+  }
+};
+
+// p^T C p for the correction C of the finer level, row by row, with p^T S p added to the rows in
+// which there is any. Two rows that C couples are coupled by S, and so are those of the products.
+template <class Correction>
+CoupledRows correct_product(Workers& workers, const Correction& correction,
+                            const SparseMatrix& interpolation, const SparseMatrix& restriction,
+                            const SymmetricMatrix& coarse) {
+  std::vector<CoupledPart> parts((coarse.rows() + kRangeSize - 1) / kRangeSize);
+  for_ranges(workers, coarse.rows(), [&](std::size_t first, std::size_t last) {
+    CoupledPart& part = parts[first / kRangeSize];
+    RowSum<Block> left(Block::Zero());  // row i of p^T C
+    RowSum<Block> sum(Block::Zero());
+    for (std::size_t i = first; i < last; ++i) {
+      for (const auto& r : restriction.row(i)) {
+        correction.for_row(r.column, [&](std::uint32_t column, const Block& block) {
+          left.add(column, r.value * block);
+        });
+      }
+      if (left.empty()) continue;
+      left.take([&](std::uint32_t column, const Block& block) {
+        for (const auto& p : interpolation.row(column)) sum.add(p.column, p.value * block);
+      });
+      part.add(i, coarse, sum);
+    }
+  });
+  return joined(parts, coarse.rows());
 }
 
 }  // namespace
@@ -140,7 +290,7 @@ Aggregates aggregate(const SymmetricMatrix& matrix) {
 SparseMatrix smoothed_interpolation(Workers& workers, const SymmetricMatrix& matrix,
                                     const Aggregates& aggregates) {
   const float omega = 4.0f / (3.0f * gershgorin_bound(matrix));
-  return build_rows(workers, matrix.rows(), [&](std::size_t i, RowSum& sum) {
+  return build_rows(workers, matrix.rows(), [&](std::size_t i, RowSum<float>& sum) {
     if (matrix.diagonal[i] <= 0.0f) return;
     sum.add(aggregates.of_row[i], 1.0f - omega);
     const float factor = -omega / matrix.diagonal[i];
@@ -168,26 +318,42 @@ SparseMatrix transpose(const SparseMatrix& matrix, std::size_t columns) {
 SymmetricMatrix galerkin_product(Workers& workers, const SymmetricMatrix& matrix,
                                  const SparseMatrix& interpolation,
                                  const SparseMatrix& restriction) {
-  const SparseMatrix product = build_rows(workers, matrix.rows(), [&](std::size_t i, RowSum& sum) {
-    for (const auto& p : interpolation.row(i)) sum.add(p.column, matrix.diagonal[i] * p.value);
-    for (const auto& a : matrix.off_diagonal.row(i)) {
-      for (const auto& p : interpolation.row(a.column)) sum.add(p.column, a.value * p.value);
-    }
-  });
+  const SparseMatrix product =
+      build_rows(workers, matrix.rows(), [&](std::size_t i, RowSum<float>& sum) {
+        for (const auto& p : interpolation.row(i)) sum.add(p.column, matrix.diagonal[i] * p.value);
+        for (const auto& a : matrix.off_diagonal.row(i)) {
+          for (const auto& p : interpolation.row(a.column)) sum.add(p.column, a.value * p.value);
+        }
+      });
   SymmetricMatrix coarse;
   coarse.diagonal.assign(restriction.rows(), 0.0f);
-  coarse.off_diagonal = build_rows(workers, restriction.rows(), [&](std::size_t i, RowSum& sum) {
-    for (const auto& r : restriction.row(i)) {
-      for (const auto& entry : product.row(r.column)) {
-        if (entry.column == i) {
-          coarse.diagonal[i] += r.value * entry.value;
-        } else {
-          sum.add(entry.column, r.value * entry.value);
+  coarse.off_diagonal =
+      build_rows(workers, restriction.rows(), [&](std::size_t i, RowSum<float>& sum) {
+        for (const auto& r : restriction.row(i)) {
+          for (const auto& entry : product.row(r.column)) {
+            if (entry.column == i) {
+              coarse.diagonal[i] += r.value * entry.value;
+            } else {
+              sum.add(entry.column, r.value * entry.value);
+            }
+          }
         }
-      }
-    }
-  });
+      });
   return coarse;
+}
+
+CoupledRows galerkin_couplings(Workers& workers, const SymmetricMatrix& matrix,
+                               const Projections& projections, const SparseMatrix& interpolation,
+                               const SparseMatrix& restriction, const SymmetricMatrix& coarse) {
+  return correct_product(workers, ProjectionCorrection{matrix, projections}, interpolation,
+                         restriction, coarse);
+}
+
+CoupledRows galerkin_couplings(Workers& workers, const SymmetricMatrix& matrix,
+                               const CoupledRows& rows, const SparseMatrix& interpolation,
+                               const SparseMatrix& restriction, const SymmetricMatrix& coarse) {
+  return correct_product(workers, CouplingCorrection{matrix, rows}, interpolation, restriction,
+                         coarse);
 }
 
 }  // namespace evenmesh

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "evenmesh/base/parallel.h"
+#include "evenmesh/solver/blocks.h"
 #include "evenmesh/solver/multigrid.h"
 #include "evenmesh/solver/sparse.h"
 
@@ -33,5 +34,17 @@ SparseMatrix transpose(const SparseMatrix& matrix, std::size_t columns);
 SymmetricMatrix galerkin_product(Workers& workers, const SymmetricMatrix& matrix,
                                  const SparseMatrix& interpolation,
                                  const SparseMatrix& restriction);
+
+/// The rows in which p^T P (S (x) I) P p differs from (p^T S p) (x) I, P being made of projectors.
+/// @param matrix  S
+/// @param coarse  p^T S p
+CoupledRows galerkin_couplings(Workers& workers, const SymmetricMatrix& matrix,
+                               const Projections& projections, const SparseMatrix& interpolation,
+                               const SparseMatrix& restriction, const SymmetricMatrix& coarse);
+
+/// The same on coarser levels: of p^T A p, where A is matrix (x) I but for the rows given.
+CoupledRows galerkin_couplings(Workers& workers, const SymmetricMatrix& matrix,
+                               const CoupledRows& rows, const SparseMatrix& interpolation,
+                               const SparseMatrix& restriction, const SymmetricMatrix& coarse);
 
 }  // namespace evenmesh

@@ -10,6 +10,7 @@
 
 #include "evenmesh/base/parallel.h"
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/solver/blocks.h"
 #include "evenmesh/solver/sparse.h"
 
 namespace evenmesh {
@@ -32,11 +33,21 @@ struct SymmetricMatrix {
 /// unknowns, which are solved by dense Cholesky. The smoother is Gauss-Seidel, forwards before and
 /// backwards after, chunk by chunk with coupled chunks in different colours: symmetric, parallel,
 /// and the same bits for any number of threads. Everything is in single precision.
+///
+/// Where unknowns may move along a line or in a plane only, with projectors P_i, it is the matrix
+/// P (S (x) I) P that is inverted, S being the matrix given and P the diagonal of the P_i. It is
+/// interpolated by P p, p being what S is interpolated by; so coarse unknowns have three
+/// coordinates everywhere, and p^T P (S (x) I) P p couples them near rows with a projector. There
+/// coarse rows consist of 3x3 matrices, elsewhere of scalars. Their diagonal blocks may be
+/// singular, as where all that an aggregate gathers moves along one line: what has next to no
+/// stiffness stays where it is.
 class Multigrid {
  public:
-  Multigrid(Workers& workers, SymmetricMatrix matrix);
+  /// @param projectors  of the rows whose unknown cannot move in all directions; each row once
+  Multigrid(Workers& workers, SymmetricMatrix matrix, std::span<const Projector> projectors = {});
 
-  /// z = M r, with M symmetric and positive definite on the rows that have an unknown.
+  /// z = M r, with M symmetric and positive definite on the rows that have an unknown, in the
+  /// directions in which it may move. M = M P = P M.
   /// @param r     one vector per row, any scale
   /// @param[out] z  one vector per row; 0 where the row has no unknown
   void apply(Workers& workers, std::span<const Vec3> r, std::span<Vec3> z);
@@ -46,18 +57,31 @@ class Multigrid {
   double operator_complexity() const;
 
  private:
-  using Row = Eigen::Vector4f;  // three coordinates and a spare lane, one SIMD register
-
   struct Level {
     SymmetricMatrix matrix;
+    Projections projections;  // on the finest level only
+    CoupledRows coupled;      // on the other levels only
     std::vector<float> inverse_diagonal;
-    SparseMatrix interpolation;  // rows: this level, columns: the next
-    SparseMatrix restriction;    // its transpose
+    std::vector<Block> inverse_block;  // per coupled row
+    SparseMatrix interpolation;        // rows: this level, columns: the next
+    SparseMatrix restriction;          // its transpose
     std::vector<std::vector<std::uint32_t>> colours;
     std::vector<Row> right, solution, residual;
+
+    void relax(std::size_t i);                              // solves row i for its own unknown
+    void find_residual(std::size_t i);                      // of row i
+    Row projected(std::size_t i, const Row& vector) const;  // on where row i can move
+    Row without_coupled(std::size_t i, std::uint32_t number, Row sum) const;
+    bool couples_coordinates() const {
+      return !projections.chosen.empty() || !coupled.chosen.empty();
+    }
   };
 
+  void coarsen(Workers& workers, std::size_t coarsest);
   void prepare(Workers& workers, Level& level);
+  void factorise(const Level& level);
+  void factorise_coupled(const Level& level);
+  void solve_coarsest(Level& level) const;
   void cycle(Workers& workers, std::size_t depth);
   void smooth_forwards(Workers& workers, Level& level);
   void smooth_backwards(Workers& workers, Level& level);
