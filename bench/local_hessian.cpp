@@ -44,6 +44,17 @@ Matrix6 second_derivatives(const std::array<Eigen::Vector2d, 3>& corner) {
   return result;
 }
 
+// Of the signed area: 2 a = sum_j (x_j y_k - x_k y_j), k the corner after j.
+Matrix6 area_derivatives() {
+  Matrix6 result = Matrix6::Zero();
+  for (Eigen::Index j = 0; j < 3; ++j) {
+    const Eigen::Index k = (j + 1) % 3;
+    result(2 * j, 2 * k + 1) = result(2 * k + 1, 2 * j) = 0.5;
+    result(2 * k, 2 * j + 1) = result(2 * j + 1, 2 * k) = -0.5;
+  }
+  return result;
+}
+
 }  // namespace
 
 LocalHessian::LocalHessian(const Mesh& mesh, std::span<const std::ptrdiff_t> first_unknown)
@@ -88,13 +99,23 @@ Eigen::Vector2d LocalHessian::position(Index vertex, std::span<const double> y) 
   return {y[i], y[i + 1]};
 }
 
+std::size_t LocalHessian::entry(std::ptrdiff_t row, std::ptrdiff_t column) const {
+  const auto [first, last] = std::equal_range(rows_.begin(), rows_.end(), static_cast<int>(row));
+  const auto from = columns_.begin() + (first - rows_.begin());
+  const auto to = columns_.begin() + (last - rows_.begin());
+  const auto found = std::lower_bound(from, to, static_cast<int>(column));
+  return static_cast<std::size_t>(found - columns_.begin());
+}
+
 void LocalHessian::evaluate(std::span<const double> y, double factor,
-                            std::span<double> values) const {
+                            std::span<const double> area_factors, std::span<double> values) const {
+  const Matrix6 of_area = area_derivatives();
   std::fill(values.begin(), values.end(), 0.0);
   for (std::size_t c = 0; c < slots_.size(); ++c) {
     const auto v = mesh_.cells().vertices(c);
-    const Matrix6 part =
+    Matrix6 part =
         factor * second_derivatives({position(v[0], y), position(v[1], y), position(v[2], y)});
+    if (!area_factors.empty()) part += area_factors[c] * of_area;
     for (std::size_t i = 0; i < slots_[c].size(); ++i) {
       if (slots_[c][i] == kNowhere) continue;
       values[slots_[c][i]] +=

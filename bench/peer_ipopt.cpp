@@ -79,7 +79,7 @@ class Player final : public Ipopt::TNLP {
       std::copy(hessian_.rows().begin(), hessian_.rows().end(), rows);
       std::copy(hessian_.columns().begin(), hessian_.columns().end(), columns);
     } else {
-      hessian_.evaluate({y, static_cast<std::size_t>(n)}, factor, {values, hessian_.entries()});
+      hessian_.evaluate({y, static_cast<std::size_t>(n)}, factor, {}, {values, hessian_.entries()});
     }
     return true;
   }
@@ -131,7 +131,7 @@ double derivative_error() {
   const std::size_t n = contest.unknowns();
   std::vector<double> y = contest.start();
   std::vector<double> values(hessian.entries());
-  hessian.evaluate(y, 1.0, values);
+  hessian.evaluate(y, 1.0, {}, values);
   std::vector<double> dense(n * n, 0.0);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto row = static_cast<std::size_t>(hessian.rows()[i]);

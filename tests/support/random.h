@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "evenmesh/base/vec3.h"
+
 namespace evenmesh::shapes {
 
 /// A small random generator (splitmix64) whose numbers are the same on every platform, which the
@@ -22,6 +24,16 @@ class Random {
   }
   /// Uniform in [-1, 1).
   double signed_unit() { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1.0; }
+  /// Uniform in the unit disc of the xy plane.
+  Vec3 in_disc() {
+    double x = 0.0;
+    double y = 0.0;
+    do {
+      x = signed_unit();
+      y = signed_unit();
+    } while (x * x + y * y > 1.0);
+    return {x, y, 0.0};
+  }
   /// Uniform in [0, n), up to a bias of n / 2^64.
   std::size_t below(std::size_t n) { return bits() % n; }
 
