@@ -173,34 +173,31 @@ CoupledRows joined(std::vector<CoupledPart>& parts, std::size_t count) {
   return result;
 }
 
-// Entry (i, j) of P (S (x) I) P less that of S (x) I, for every j in row i.
+// What P (S (x) I) P is beyond S (x) I: the sum over i of w_i S_ij (P_i P_j - I), for weights w and
+// every j, is G P_j + s (P_j - I) with G the sum of w_i S_ij (P_i - I) and s that of w_i S_ij.
 struct ProjectionCorrection {
   const SymmetricMatrix& matrix;
   const Projections& projections;
 
-  template <class Body>
-  void for_row(std::size_t i, const Body& body) const {
-    const std::uint32_t own = projections.chosen[i];
+  // Adds row i times a weight: to G, and to s, which is in the first place of G's spare row.
+  void add_row(std::size_t i, float weight, RowSum<Block>& sum) const {
+    const std::uint32_t k = projections.chosen[i];
+    const bool moves_freely = k == Chosen::kNone;
+    Block own = spare_one();
+    if (!moves_freely) own += Block(identity_block()) * projections.of[k] - identity_block();
     const auto add = [&](std::uint32_t j, float value) {
-      const std::uint32_t other = projections.chosen[j];
-      if (own == Chosen::kNone && other == Chosen::kNone) return;
-      Block product = own == Chosen::kNone ? projections.blocks[other]
-                      : other == Chosen::kNone
-                          ? projections.blocks[own]
-                          : times(projections.blocks[own], projections.blocks[other]);
-      product.diagonal().array() -= 1.0f;
-      body(j, Block(value * product));
+      if (moves_freely && projections.chosen[j] == Chosen::kNone) return;
+      sum.add(j, (weight * value) * own);
     };
     add(static_cast<std::uint32_t>(i), matrix.diagonal[i]);
     for (const auto& entry : matrix.off_diagonal.row(i)) add(entry.column, entry.value);
   }
 
-  static Block times(const Block& a, const Block& b) {
-    Block result;
-    for (int k = 0; k < 3; ++k) {
-      result.col(k) = a.col(0) * b(0, k) + a.col(1) * b(1, k) + a.col(2) * b(2, k);
-    }
-    return result;
+  Block finished(std::size_t j, const Block& sum) const {
+    const std::uint32_t k = projections.chosen[j];
+    if (k == Chosen::kNone) return sum;
+    const float s = sum(3, 0);
+    return Block(sum + s * identity_block()) * projections.of[k] - s * identity_block();
   }
 };
 
@@ -209,25 +206,24 @@ struct CouplingCorrection {
   const SymmetricMatrix& matrix;
   const CoupledRows& rows;
 
-  template <class Body>
-  void for_row(std::size_t i, const Body& body) const {
+  void add_row(std::size_t i, float weight, RowSum<Block>& sum) const {
     const std::uint32_t k = rows.chosen[i];
     if (k == Chosen::kNone) return;
-    Block block = rows.diagonal[k];
-    block.diagonal().array() -= matrix.diagonal[i];
-    body(static_cast<std::uint32_t>(i), block);
+    sum.add(static_cast<std::uint32_t>(i),
+            weight * (rows.diagonal[k] - matrix.diagonal[i] * identity_block()));
     const float* values = rows.couplings(k);
     for (const auto& entry : matrix.off_diagonal.row(i)) {
-      block.topRows<3>() = Eigen::Map<const Eigen::Matrix3f>(values);
-      block.diagonal().array() -= entry.value;
-      body(entry.column, block);
+      sum.add(entry.column, weight * (unpacked(values) - entry.value * identity_block()));
       values += 9;
     }
   }
+
+  static const Block& finished(std::size_t, const Block& sum) { return sum; }
 };
 
-// p^T C p for the correction C of the finer level, row by row, with p^T S p added to the rows in
-// which there is any. Two rows that C couples are coupled by S, and so are those of the products.
+// p^T C p for the correction C of the finer level, row by row without storing p^T C, with p^T S p
+// added to the rows in which there is any. Two rows that C couples are coupled by S, and so are
+// those of the products.
 template <class Correction>
 CoupledRows correct_product(Workers& workers, const Correction& correction,
                             const SparseMatrix& interpolation, const SparseMatrix& restriction,
@@ -238,13 +234,10 @@ CoupledRows correct_product(Workers& workers, const Correction& correction,
     RowSum<Block> left(Block::Zero());  // row i of p^T C
     RowSum<Block> sum(Block::Zero());
     for (std::size_t i = first; i < last; ++i) {
-      for (const auto& r : restriction.row(i)) {
-        correction.for_row(r.column, [&](std::uint32_t column, const Block& block) {
-          left.add(column, r.value * block);
-        });
-      }
+      for (const auto& r : restriction.row(i)) correction.add_row(r.column, r.value, left);
       if (left.empty()) continue;
-      left.take([&](std::uint32_t column, const Block& block) {
+      left.take([&](std::uint32_t column, const Block& unfinished) {
+        const Block block = correction.finished(column, unfinished);
         for (const auto& p : interpolation.row(column)) sum.add(p.column, p.value * block);
       });
       part.add(i, coarse, sum);

@@ -48,15 +48,10 @@ Projections projections_of(std::span<const Projector> projectors, std::size_t ro
   std::vector<Index> chosen;
   for (const Projector& projector : projectors) {
     chosen.push_back(projector.row);
-    result.blocks.push_back(Block::Zero());
-    result.blocks.back().topRows<3>() = projector.matrix;
+    result.of.emplace_back(projector.matrix);
   }
   result.chosen = Chosen(chosen, rows);
   return result;
-}
-
-Row times(const Block& block, const Row& x) {
-  return block.col(0) * x[0] + block.col(1) * x[1] + block.col(2) * x[2];
 }
 
 // The inverse in the directions that have stiffness, compared with that of the scalar matrix; 0 in
@@ -83,7 +78,7 @@ Multigrid::Multigrid(Workers& workers, SymmetricMatrix matrix,
   coarsen(workers, coarsest);
   const Level& last = levels_.back();
   if (last.matrix.rows() > coarsest * 4) return;  // could not be coarsened: smoothing has to do
-  if (last.couples_coordinates()) {
+  if (last.is_constrained()) {
     factorise_coupled(last);
   } else {
     factorise(last);
@@ -133,7 +128,7 @@ void Multigrid::factorise_coupled(const Level& level) {
   const auto projector = [&](Eigen::Index i) -> Eigen::Matrix3f {
     const std::uint32_t k = level.projections.chosen[static_cast<std::size_t>(i)];
     if (k == Chosen::kNone) return Eigen::Matrix3f::Identity();
-    return level.projections.blocks[k].topRows<3>();
+    return (Block(identity_block()) * level.projections.of[k]).topRows<3>();
   };
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto row = static_cast<std::size_t>(i);
@@ -173,43 +168,50 @@ void Multigrid::prepare(Workers& workers, Level& level) {
   level.residual.assign(n, Row::Zero());
 }
 
-Row Multigrid::Level::projected(std::size_t i, const Row& vector) const {
+inline void Multigrid::Level::project(std::size_t i, Row& vector) const {
   const std::uint32_t k = projections.chosen[i];
-  return k == Chosen::kNone ? vector : times(projections.blocks[k], vector);
+  if (k != Chosen::kNone) vector = projections.of[k] * vector;
 }
 
 Row Multigrid::Level::without_coupled(std::size_t i, std::uint32_t k, Row sum) const {
   const float* block = coupled.couplings(k);
   for (const auto& entry : matrix.off_diagonal.row(i)) {
-    sum -= packed_times(block, solution[entry.column]);
+    sum -= times(unpacked(block), solution[entry.column]);
     block += 9;
   }
-  sum[3] = 0.0f;
   return sum;
 }
 
 inline void Multigrid::Level::relax(std::size_t i) {
-  const std::uint32_t k = coupled.chosen[i];
-  if (k != Chosen::kNone) {
-    solution[i] = times(inverse_block[k], without_coupled(i, k, right[i]));
-    return;
-  }
   Row sum = right[i];
   for (const auto& entry : matrix.off_diagonal.row(i)) sum -= entry.value * solution[entry.column];
   solution[i] = inverse_diagonal[i] * sum;
-  if (!projections.chosen.empty()) solution[i] = projected(i, solution[i]);
+}
+
+inline void Multigrid::Level::relax_constrained(std::size_t i) {
+  const std::uint32_t k = coupled.chosen[i];
+  if (k != Chosen::kNone) {
+    solution[i] = times(inverse_block[k], without_coupled(i, k, right[i]));
+  } else {
+    relax(i);
+    project(i, solution[i]);
+  }
 }
 
 inline void Multigrid::Level::find_residual(std::size_t i) {
-  const std::uint32_t k = coupled.chosen[i];
-  if (k != Chosen::kNone) {
-    residual[i] = without_coupled(i, k, right[i] - times(coupled.diagonal[k], solution[i]));
-    return;
-  }
   Row sum = right[i] - matrix.diagonal[i] * solution[i];
   for (const auto& entry : matrix.off_diagonal.row(i)) sum -= entry.value * solution[entry.column];
   residual[i] = sum;
-  if (!projections.chosen.empty()) residual[i] = projected(i, sum);
+}
+
+inline void Multigrid::Level::find_residual_constrained(std::size_t i) {
+  const std::uint32_t k = coupled.chosen[i];
+  if (k != Chosen::kNone) {
+    residual[i] = without_coupled(i, k, right[i] - times(coupled.diagonal[k], solution[i]));
+  } else {
+    find_residual(i);
+    project(i, residual[i]);
+  }
 }
 
 double Multigrid::operator_complexity() const {
@@ -236,7 +238,7 @@ void Multigrid::apply(Workers& workers, std::span<const Vec3> r, std::span<Vec3>
   for_ranges(workers, r.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       finest.right[i].head<3>() = (r[i] / scale).cast<float>();  // 1 / scale may be infinite
-      finest.right[i] = finest.projected(i, finest.right[i]);
+      finest.project(i, finest.right[i]);
     }
   });
   cycle(workers, 0);
@@ -258,9 +260,10 @@ void Multigrid::cycle(Workers& workers, std::size_t depth) {
   smooth_forwards(workers, level);
   Level& coarse = levels_[depth + 1];
   const std::size_t n = level.matrix.rows();
+  const bool constrained = level.is_constrained();
   for_ranges(workers, n, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      level.find_residual(i);
+      constrained ? level.find_residual_constrained(i) : level.find_residual(i);
     }
   });
   for_ranges(workers, coarse.matrix.rows(), [&](std::size_t first, std::size_t last) {
@@ -279,7 +282,8 @@ void Multigrid::cycle(Workers& workers, std::size_t depth) {
       for (const auto& entry : level.interpolation.row(i)) {
         sum += entry.value * coarse.solution[entry.column];
       }
-      level.solution[i] = level.projected(i, sum);
+      level.solution[i] = sum;
+      level.project(i, level.solution[i]);
     }
   });
   smooth_backwards(workers, level);
@@ -288,7 +292,7 @@ void Multigrid::cycle(Workers& workers, std::size_t depth) {
 void Multigrid::solve_coarsest(Level& level) const {
   // Three columns of scalar unknowns, or one column with three unknowns per row.
   const auto n = static_cast<Eigen::Index>(level.matrix.rows());
-  const bool coupled = level.couples_coordinates();
+  const bool coupled = level.is_constrained();
   Eigen::MatrixXf right = coupled ? Eigen::MatrixXf(3 * n, 1) : Eigen::MatrixXf(n, 3);
   const auto vector = [&](Eigen::Index i) {
     return Eigen::Map<Eigen::Vector3f, 0, Eigen::InnerStride<>>(
@@ -302,12 +306,13 @@ void Multigrid::solve_coarsest(Level& level) const {
     const auto row = static_cast<std::size_t>(i);
     const bool unknown = level.matrix.diagonal[row] > 0.0f;
     level.solution[row].head<3>() = vector(i) * (unknown ? 1.0f : 0.0f);
-    level.solution[row] = level.projected(row, level.solution[row]);
+    level.project(row, level.solution[row]);
   }
 }
 
 void Multigrid::smooth_forwards(Workers& workers, Level& level) {
   const std::size_t n = level.matrix.rows();
+  const bool constrained = level.is_constrained();
   // From zero: what has not been swept yet contributes nothing.
   for_ranges(workers, n, [&](std::size_t first, std::size_t last) {
     std::fill(level.solution.begin() + static_cast<std::ptrdiff_t>(first),
@@ -317,7 +322,7 @@ void Multigrid::smooth_forwards(Workers& workers, Level& level) {
     workers.run(colour.size(), [&](std::size_t k) {
       const std::size_t last = std::min(n, (colour[k] + std::size_t{1}) * kChunk);
       for (std::size_t i = colour[k] * kChunk; i < last; ++i) {
-        level.relax(i);
+        constrained ? level.relax_constrained(i) : level.relax(i);
       }
     });
   }
@@ -325,11 +330,12 @@ void Multigrid::smooth_forwards(Workers& workers, Level& level) {
 
 void Multigrid::smooth_backwards(Workers& workers, Level& level) {
   const std::size_t n = level.matrix.rows();
+  const bool constrained = level.is_constrained();
   for (auto colour = level.colours.rbegin(); colour != level.colours.rend(); ++colour) {
     workers.run(colour->size(), [&](std::size_t k) {
       const std::size_t first = (*colour)[k] * kChunk;
       for (std::size_t i = std::min(n, first + kChunk); i-- > first;) {
-        level.relax(i);
+        constrained ? level.relax_constrained(i) : level.relax(i);
       }
     });
   }

@@ -68,13 +68,13 @@ class Multigrid {
     std::vector<std::vector<std::uint32_t>> colours;
     std::vector<Row> right, solution, residual;
 
-    void relax(std::size_t i);                              // solves row i for its own unknown
-    void find_residual(std::size_t i);                      // of row i
-    Row projected(std::size_t i, const Row& vector) const;  // on where row i can move
+    void relax(std::size_t i);  // solves row i for its own unknown
+    void relax_constrained(std::size_t i);
+    void find_residual(std::size_t i);  // of row i
+    void find_residual_constrained(std::size_t i);
+    void project(std::size_t i, Row& vector) const;  // onto where row i can move
     Row without_coupled(std::size_t i, std::uint32_t number, Row sum) const;
-    bool couples_coordinates() const {
-      return !projections.chosen.empty() || !coupled.chosen.empty();
-    }
+    bool is_constrained() const { return !projections.chosen.empty() || !coupled.chosen.empty(); }
   };
 
   void coarsen(Workers& workers, std::size_t coarsest);
