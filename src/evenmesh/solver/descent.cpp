@@ -134,8 +134,10 @@ class Descent {
   bool change_function(bool converged) {
     Lagrangian* lagrangian = objective_.lagrangian();
     if (lagrangian == nullptr) return false;
-    const bool changed = lagrangian->advance(workers_, x_, steps_since_change_,
-                                             converged || norm() <= inner_target_);
+    const auto progress = converged                 ? Lagrangian::Progress::fully
+                          : norm() <= inner_target_ ? Lagrangian::Progress::nearly
+                                                    : Lagrangian::Progress::some;
+    const bool changed = lagrangian->advance(workers_, x_, steps_since_change_, progress);
     steps_since_look_ = 0;
     if (!changed) {
       inner_target_ = std::min(inner_target_, kInnerFall * norm());

@@ -12,14 +12,17 @@
 namespace evenmesh {
 namespace {
 
-constexpr double kMu = 20.0;  // weight of the exact penalty: must exceed multipliers
-constexpr std::array kDeltas = {0.1, 0.02, 0.004};
-constexpr int kMostStepsInStage = 12;
-constexpr int kMostStepsInRound = 40;
+// Wide and weak first: that turns nearly all cells round in a few steps. A stronger penalty is for
+// those that resist; the exact one, which needs mu > lambda, comes with the multipliers.
+struct Stage {
+  double delta, mu;
+};
+constexpr std::array kStages = {Stage{0.3, 5.0}, Stage{0.05, 20.0}, Stage{0.01, 80.0}};
+constexpr int kMostStepsInStage = 10;
 constexpr double kFirstRho = 10.0;
-constexpr double kGreatestRho = 1e4;
-constexpr double kRhoGrowth = 2.0;
-constexpr double kResidualFall = 0.4;  // what a round should bring at least
+constexpr double kGreatestRho = 100.0;
+constexpr double kRhoGrowth = 1.6;
+constexpr double kResidualFall = 0.5;  // what a round should bring at least
 constexpr int kMostRounds = 60;
 constexpr double kMet = 1e-6;     // what counts as meeting a demand, in units of v
 constexpr double kMargin = 2e-6;  // what is aimed at beyond the demand, so that it is met strictly
@@ -165,7 +168,7 @@ void Lagrangian::reset() {
   rounds_ = 0;
   last_residual_ = std::numeric_limits<double>::infinity();
   settled_ = demands_.empty() && functions_.empty() && leashes_.empty();
-  enter_stage(start_violates_ ? 0 : static_cast<int>(kDeltas.size()));
+  enter_stage(start_violates_ ? 0 : static_cast<int>(kStages.size()));
 }
 
 // Geometric mean of the springs' stiffnesses, which a collapsed cell cannot spoil.
@@ -287,7 +290,7 @@ Lagrangian::Slope Lagrangian::psi(double v, double lambda) const {
   const double root = std::sqrt(v * v + 4.0 * delta_ * delta_);
   // root - v without cancellation.
   const double gap = v > 0.0 ? 4.0 * delta_ * delta_ / (root + v) : root - v;
-  return {0.5 * kMu * gap, -0.5 * kMu * gap / root};
+  return {0.5 * mu_ * gap, -0.5 * mu_ * gap / root};
 }
 
 Lagrangian::Slope Lagrangian::psi_of_equation(double v, double lambda) const {
@@ -352,39 +355,35 @@ double Lagrangian::evaluate_others(Points x, std::span<Vec3> gradient) const {
 
 void Lagrangian::enter_stage(int stage) {
   stage_ = stage;
-  steps_ = 0;
-  const bool penalty = stage < static_cast<int>(kDeltas.size());
+  const bool penalty = stage < static_cast<int>(kStages.size());
   mode_ = penalty ? Mode::exact_penalty : Mode::multipliers;
-  if (penalty) delta_ = kDeltas[static_cast<std::size_t>(stage)];
+  if (!penalty) return;
+  delta_ = kStages[static_cast<std::size_t>(stage)].delta;
+  mu_ = kStages[static_cast<std::size_t>(stage)].mu;
 }
 
-bool Lagrangian::advance(Workers& workers, Points x, int steps, bool converged) {
+bool Lagrangian::advance(Workers& workers, Points x, int steps, Progress progress) {
   if (settled_) return false;
-  steps_ += steps;
   if (mode_ == Mode::exact_penalty) {
     const bool met = violation(workers, x).cells == 0;
-    if (!met && !converged && steps_ < kMostStepsInStage) return false;
-    if (met || stage_ + 1 == static_cast<int>(kDeltas.size())) {
+    if (!met && progress == Progress::some && steps < kMostStepsInStage) return false;
+    if (met || stage_ + 1 == static_cast<int>(kStages.size())) {
       take_multipliers_from_penalty(workers, x);
-      enter_stage(static_cast<int>(kDeltas.size()));
+      enter_stage(static_cast<int>(kStages.size()));
     } else {
       enter_stage(stage_ + 1);
     }
     return true;
   }
   const double now = residual(workers, x);
-  if (now <= kMet) {
-    settled_ = converged;
+  if (now <= kMet || rounds_ >= kMostRounds) {
+    settled_ = progress == Progress::fully;
     return false;
   }
-  if (++rounds_ > kMostRounds) {
-    settled_ = true;  // what is demanded cannot be had
-    return false;
-  }
+  ++rounds_;
   update_multipliers(workers, x);
   if (now > kResidualFall * last_residual_) rho_ = std::min(kRhoGrowth * rho_, kGreatestRho);
   last_residual_ = now;
-  steps_ = 0;
   return true;
 }
 

@@ -46,11 +46,13 @@ class Lagrangian {
 
   // ---- the schedule -----------------------------------------------------------------------------
 
+  /// How far the function as it is has been minimised.
+  enum class Progress : std::uint8_t { some, nearly, fully };
+
   /// To be called now and then: sees to stages and multipliers.
-  /// @param steps      since it was called last
-  /// @param converged  the function as it is has been minimised as far as it can be
+  /// @param steps  since the function has changed last
   /// @return  true if the function has changed
-  bool advance(Workers& workers, Points x, int steps, bool converged);
+  bool advance(Workers& workers, Points x, int steps, Progress progress);
   /// True if the demands are met as well as they can be: what remains is to minimise.
   bool settled() const { return settled_; }
   Mode mode() const { return mode_; }
@@ -152,9 +154,9 @@ class Lagrangian {
   bool start_violates_ = false;
   Mode mode_ = Mode::multipliers;
   int stage_ = 0;
-  int steps_ = 0;   // in this stage or round
   int rounds_ = 0;  // of multipliers
   double delta_ = 0.0;
+  double mu_ = 0.0;
   double rho_ = 0.0;
   double last_residual_ = 0.0;
   bool settled_ = false;

@@ -186,11 +186,7 @@ SymmetricMatrix Objective::majoriser(Workers& all_workers, Points x) const {
     const float stiffness = in_range(spring.stiffness, matrix.scale);
     const auto add = [&](Index row, Index column) {
       if (!moves(motion_, row)) return;
-      // Two tangent planes at an angle: a step that is equal in both cannot be tangent to both.
-      // What turning it costs is an anchor, without which a closed surface has none.
-      const double bend = 1.0 - std::abs(motion_.normal(row).dot(motion_.normal(column)));
-      const bool bends = !motion_.normal(row).isZero() && !motion_.normal(column).isZero();
-      matrix.diagonal[row] += stiffness * (bends ? 1.0f + static_cast<float>(bend) : 1.0f);
+      matrix.diagonal[row] += stiffness;
       if (moves(motion_, column)) {
         off.entries[next[row]++] = {column, -stiffness};
       } else {
@@ -201,8 +197,25 @@ SymmetricMatrix Objective::majoriser(Workers& all_workers, Points x) const {
     add(spring.b, spring.a);
   });
   merge_rows(workers, off);
+  // Where a vertex has a direction of its own, its piece cannot move as a whole.
+  for (const Index v : motion_.slots()) held[v] = 1;
   hold_free_pieces(std::move(held), matrix);
   return matrix;
+}
+
+std::vector<Projector> Objective::projectors(const Motion::Places& places) const {
+  std::vector<Projector> result;
+  for (const Index v : motion_.slots()) {
+    if (!moves(motion_, v) || motion_.leader(v) != v) continue;
+    Eigen::Matrix3d matrix;
+    for (int axis = 0; axis < 3; ++axis) {
+      matrix.col(axis) = motion_.project(places, v, Vec3::Unit(axis));
+    }
+    result.push_back({v, matrix.cast<float>()});
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Projector& a, const Projector& b) { return a.row < b.row; });
+  return result;
 }
 
 }  // namespace evenmesh

@@ -47,6 +47,8 @@ class Objective {
   /// holds in place are held by a slight pull everywhere, which makes the matrix definite. Springs
   /// that are 10^12 times as stiff (or as soft) as the typical one count as just that.
   SymmetricMatrix majoriser(Workers& workers, Points x) const;
+  /// The directions of the majoriser's rows that cannot move in all of them.
+  std::vector<Projector> projectors(const Motion::Places& places) const;
 
  private:
   const Problem& problem_;

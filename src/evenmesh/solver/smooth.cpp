@@ -105,7 +105,8 @@ class Smoothing {
     const double cpu_before = cpu_seconds();
     Objective objective(mesh_, problem_);
     objective.constrain(workers_, mesh_);
-    Multigrid preconditioner(workers_, objective.majoriser(workers_, points_));
+    Multigrid preconditioner(workers_, objective.majoriser(workers_, points_),
+                             objective.projectors(problem_.motion.start()));
     report_.multigrid_levels = preconditioner.levels();
     report_.setup_seconds = timer_.seconds();
     report_.setup_cpu_seconds = cpu_seconds() - cpu_before;
