@@ -15,7 +15,7 @@ Builds nothing: `./run bench` does both. Groups, in the order they run:
 and, only when asked for with --only:
 
   limits   whole solves in which no triangle may become too small, against Ipopt's: needs a
-           solver_bench that takes a least area and what the boundary may do
+           solver_bench that takes a least area (or none) and what the boundary may do
 
 --quick leaves out a million vertices and the peers. Goals that were not measured say so. The exit
 status is 1 if a program failed, not if a goal is missed.
@@ -200,7 +200,8 @@ def measure_limits(build, quick):
             continue
         narrate(f"{case}, {size_name(size)} vertices, areas of at least {least} mean areas, {rim}")
         result = run_json(build / "solver_bench", case, size, 1, REPEATS, least, rim)
-        free = run_json(build / "solver_bench", VALID_TWIN.get(case, case), size, 1, REPEATS)
+        free = run_json(build / "solver_bench", VALID_TWIN.get(case, case), size, 1, REPEATS,
+                        "none", rim)
         oracle = measure_oracle(build, size, least, rim, noise)
         results.append({
             **result, "case": case, "size": size, "least": least, "rim": rim, "oracle": oracle,
