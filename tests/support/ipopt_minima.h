@@ -12,8 +12,9 @@ namespace evenmesh::shapes {
 ///
 /// Made by  oracle_ipopt SHAPE VERTICES SEED NOISE LEAST RIM  (bench/) with the fields below in
 /// that order, exact derivatives and a tolerance of 1e-9; all digits given are the same from every
-/// start listed for one problem. Turning the whole disk changes nothing, so minimisers are many;
-/// their cost is one.
+/// start listed for one problem (noise moves the boundary of a disk: with a fixed one, each noise
+/// is a problem of its own). Turning the whole disk changes nothing, so minimisers are many; their
+/// cost is one.
 struct IpoptMinimum {
   std::string_view shape;  // disk: disk_triangles(); square: irregular_triangles(), jitter 0.3
   std::size_t vertices;    // as asked for
