@@ -51,6 +51,16 @@ std::vector<Index> all_vertices(const Mesh& mesh) {
 
 }  // namespace
 
+double mean_area(const Mesh& mesh) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
+    const auto v = mesh.cells().vertices(c);
+    const Points x = mesh.points();
+    sum += area({x[v[0]].head<2>(), x[v[1]].head<2>(), x[v[2]].head<2>()});
+  }
+  return sum / static_cast<double>(mesh.cells().size());
+}
+
 AreaLimits::AreaLimits(const Mesh& mesh, double least, Rim rim)
     : mesh_(mesh),
       least_(least),
@@ -67,10 +77,9 @@ AreaLimits::AreaLimits(const Mesh& mesh, double least, Rim rim)
       jacobian_columns_.push_back(static_cast<int>(i));
     }
   };
-  const std::vector<double> y = start();
+  if (!on_circle_.empty()) radius_ = mesh.points()[on_circle_.front()].head<2>().norm();
   const std::size_t cells = mesh.cells().size();
   for (std::size_t c = 0; c < cells; ++c) {
-    mean_area_ += area(corners(c, y)) / static_cast<double>(cells);
     for (const Index v : mesh.cells().vertices(c)) add_row(c, v);
   }
   for (std::size_t i = 0; i < on_circle_.size(); ++i) add_row(cells + i, on_circle_[i]);
@@ -80,8 +89,8 @@ void AreaLimits::bounds(std::span<double> lower, std::span<double> upper) const 
   const auto cells = static_cast<std::ptrdiff_t>(mesh_.cells().size());
   std::fill(lower.begin(), lower.begin() + cells, least_);
   std::fill(upper.begin(), upper.begin() + cells, kNoLimit);
-  std::fill(lower.begin() + cells, lower.end(), 1.0);
-  std::fill(upper.begin() + cells, upper.end(), 1.0);
+  std::fill(lower.begin() + cells, lower.end(), 0.5 * radius_);
+  std::fill(upper.begin() + cells, upper.end(), 0.5 * radius_);
 }
 
 std::vector<double> AreaLimits::start() const {
@@ -132,9 +141,9 @@ double AreaLimits::cost(std::span<const double> y, std::span<double> gradient) c
 
 void AreaLimits::evaluate(std::span<const double> y, std::span<double> values) const {
   const std::size_t cells = mesh_.cells().size();
-  for (std::size_t c = 0; c < cells; ++c) values[c] = area(corners(c, y)) / mean_area_;
+  for (std::size_t c = 0; c < cells; ++c) values[c] = area(corners(c, y));
   for (std::size_t i = 0; i < on_circle_.size(); ++i) {
-    values[cells + i] = position(on_circle_[i], y).squaredNorm();
+    values[cells + i] = position(on_circle_[i], y).squaredNorm() / (2.0 * radius_);
   }
 }
 
@@ -148,22 +157,19 @@ void AreaLimits::jacobian(std::span<const double> y, std::span<double> values) c
   for (std::size_t c = 0; c < mesh_.cells().size(); ++c) {
     const auto v = mesh_.cells().vertices(c);
     const auto corner = corners(c, y);
-    for (std::size_t j = 0; j < 3; ++j) add(v[j], area_slope(corner, j) / mean_area_);
+    for (std::size_t j = 0; j < 3; ++j) add(v[j], area_slope(corner, j));
   }
-  for (const Index v : on_circle_) add(v, 2.0 * position(v, y));
+  for (const Index v : on_circle_) add(v, position(v, y) / radius_);
 }
 
 void AreaLimits::hessian(std::span<const double> y, double factor,
                          std::span<const double> multipliers, std::span<double> values) const {
   const std::size_t cells = mesh_.cells().size();
-  std::vector<double> of_area(multipliers.begin(),
-                              multipliers.begin() + static_cast<std::ptrdiff_t>(cells));
-  for (double& multiplier : of_area) multiplier /= mean_area_;
-  hessian_.evaluate(y, factor, of_area, values);
+  hessian_.evaluate(y, factor, multipliers.first(cells), values);
   for (std::size_t i = 0; i < on_circle_.size(); ++i) {
     const std::ptrdiff_t first = first_unknown_[on_circle_[i]];
-    values[hessian_.entry(first, first)] += 2.0 * multipliers[cells + i];
-    values[hessian_.entry(first + 1, first + 1)] += 2.0 * multipliers[cells + i];
+    values[hessian_.entry(first, first)] += multipliers[cells + i] / radius_;
+    values[hessian_.entry(first + 1, first + 1)] += multipliers[cells + i] / radius_;
   }
 }
 

@@ -12,36 +12,41 @@
 namespace evenmesh::bench {
 
 /// What boundary vertices may do.
-enum class Rim { fixed, on_unit_circle };
+enum class Rim { fixed, on_circle };
+
+/// The sum of the signed areas of planar triangles over their number.
+double mean_area(const Mesh& mesh);
 
 /// Least cost with no triangle too small, as a general nonlinear program: what evenmesh's answers
 /// to constrained problems are checked against. Shares no code with its solvers and costs.
 ///
 ///   minimise  f(y)                    the cost `local`
-///   such that a_e / mean >= least     for every triangle e; a_e its signed area
-///             x_v^2 + y_v^2 = 1       for every boundary vertex v, if Rim::on_unit_circle
+///   such that a_e >= least            for every triangle e; a_e its signed area
+///             |x_v|^2 / (2 R) = R / 2  for every boundary vertex v, if Rim::on_circle
 ///
-/// Unknowns are x and y of the vertices that move; `mean` is the sum of the signed areas of the
-/// mesh given over the number of triangles, a constant. Areas are divided by it so that tolerances
-/// on constraints mean the same on fine meshes as on coarse ones.
+/// Unknowns are x and y of the vertices that move. Interior point methods do best when steps, costs
+/// and constraints are all of the order of one: give a mesh whose mean area is one.
 class AreaLimits {
  public:
   /// @param mesh   triangles in the xy plane; must outlive this
-  /// @param least  part of the mean area that every triangle must have
+  /// @param least  area that every triangle must have
+  /// @pre  if Rim::on_circle, boundary vertices lie on a circle around the origin, whose radius is
+  /// R
   AreaLimits(const Mesh& mesh, double least, Rim rim);
   AreaLimits(const AreaLimits&) = delete;
   AreaLimits& operator=(const AreaLimits&) = delete;
 
   std::size_t unknowns() const { return 2 * moving_.size(); }
   std::size_t constraints() const { return mesh_.cells().size() + on_circle_.size(); }
-  double mean_area() const { return mean_area_; }
+  /// R; 0 if Rim::fixed.
+  double radius() const { return radius_; }
   /// Least and greatest value of every constraint.
   void bounds(std::span<double> lower, std::span<double> upper) const;
   std::vector<double> start() const;
 
   /// The cost at y; fills in the gradient unless it is empty.
   double cost(std::span<const double> y, std::span<double> gradient) const;
-  /// a_e / mean of every cell, then x_v^2 + y_v^2 of every vertex on the circle.
+  /// a_e of every cell, then |x_v|^2 / (2 R) of every vertex on the circle.
   void evaluate(std::span<const double> y, std::span<double> values) const;
 
   /// The entries of the constraints' first derivatives, by constraint.
@@ -63,7 +68,7 @@ class AreaLimits {
   std::vector<Index> moving_;
   std::vector<Index> on_circle_;
   std::vector<std::ptrdiff_t> first_unknown_;  // per vertex; -1 if it is fixed
-  double mean_area_ = 0.0;
+  double radius_ = 0.0;
   LocalHessian hessian_;
   std::vector<int> jacobian_rows_, jacobian_columns_;
 };

@@ -5,8 +5,10 @@
 //
 // Ipopt with exact derivatives on the cost `local` under the limits of AreaLimits; one JSON object.
 // SHAPE is disk (shapes::disk_triangles) or square (shapes::irregular_triangles with a jitter of
-// 0.3). Every triangle keeps LEAST times the mean area. `slide` leaves boundary vertices on the
-// unit circle, `fixed` leaves them where they are. OPTION=VALUE are numbers or words for Ipopt.
+// 0.3). Every triangle keeps LEAST times the mean area of
+// the mesh without noise, so that all starts have the same limit. `slide` leaves boundary vertices
+// on the unit circle, `fixed` leaves them where they are. OPTION=VALUE are for Ipopt: digits alone
+// are an integer, other numbers a real.
 // --check has Ipopt compare all derivatives with differences and prints what it says.
 #include <algorithm>
 #include <cmath>
@@ -162,10 +164,14 @@ void set_option(Ipopt::OptionsList& options, const std::string& setting) {
   const std::string value = setting.substr(equals + 1);
   char* end = nullptr;
   const double number = std::strtod(value.c_str(), &end);
-  const bool is_number = end != value.c_str() && *end == '\0';
-  const bool known = is_number ? options.SetNumericValue(name, number) ||
-                                     options.SetIntegerValue(name, static_cast<Index>(number))
-                               : options.SetStringValue(name, value);
+  bool known = false;
+  if (value.find_first_not_of("0123456789") == std::string::npos) {
+    known = options.SetIntegerValue(name, static_cast<Index>(number));
+  } else if (*end == '\0') {
+    known = options.SetNumericValue(name, number);
+  } else {
+    known = options.SetStringValue(name, value);
+  }
   if (!known) throw InvalidOption(setting + ": Ipopt does not accept this");
 }
 
@@ -192,8 +198,8 @@ nlohmann::json describe(const AreaLimits& limits, std::span<const double> y, con
   limits.evaluate(y, values);
   const auto end_of_areas = values.begin() + cells;
   double off_circle = 0.0;
-  std::for_each(end_of_areas, values.end(), [&](double squared_radius) {
-    off_circle = std::max(off_circle, std::abs(std::sqrt(squared_radius) - 1.0));
+  std::for_each(end_of_areas, values.end(), [&](double value) {
+    off_circle = std::max(off_circle, std::abs(std::sqrt(2.0 * value / limits.radius()) - 1.0));
   });
   return {
       {"inverted", std::count_if(values.begin(), end_of_areas, [](double a) { return a <= 0; })},
@@ -205,7 +211,11 @@ nlohmann::json describe(const AreaLimits& limits, std::span<const double> y, con
 
 nlohmann::json solve(const Request& request) {
   const Mesh mesh = mesh_of(request);
-  const AreaLimits limits(mesh, request.least, request.rim);
+  Request valid = request;
+  valid.noise = 0.0;
+  const double unit_area = mean_area(mesh_of(valid));
+  const Mesh unit_mesh = shapes::scaled(mesh, 1.0 / std::sqrt(unit_area));
+  const AreaLimits limits(unit_mesh, request.least, request.rim);
   Ipopt::SmartPtr<Adapter> adapter = new Adapter(limits);
   Ipopt::SmartPtr<Ipopt::IpoptApplication> ipopt = make_ipopt(request);
 
@@ -220,13 +230,13 @@ nlohmann::json solve(const Request& request) {
           {"seed", request.seed},
           {"noise", request.noise},
           {"least", request.least},
-          {"mean_area", limits.mean_area()},
-          {"least_area", request.least * limits.mean_area()},
+          {"mean_area", unit_area},
+          {"least_area", request.least * unit_area},
           {"rim", request.rim == Rim::fixed ? "fixed" : "slide"},
           {"unknowns", limits.unknowns()},
           {"status", static_cast<int>(status)},
           {"solved", status == Ipopt::Solve_Succeeded},
-          {"cost", adapter->cost()},
+          {"cost", adapter->cost() * unit_area},
           {"iterations", adapter->iterations()},
           {"cpu_seconds", used},
           {"before", describe(limits, limits.start(), mesh, request.least)},
@@ -234,14 +244,15 @@ nlohmann::json solve(const Request& request) {
 }
 
 int check_derivatives() {
-  for (const Rim rim : {Rim::on_unit_circle, Rim::fixed}) {
-    const Request request{.shape = "disk",
-                          .vertices = 60,
-                          .noise = 0.8,
-                          .least = 0.2,
-                          .rim = rim,
-                          .options = {"print_level=4", "derivative_test=second-order",
-                                      "derivative_test_tol=1e-5", "max_iter=0"}};
+  for (const Rim rim : {Rim::on_circle, Rim::fixed}) {
+    const Request request{
+        .shape = "disk",
+        .vertices = 60,
+        .noise = 0.8,
+        .least = 0.2,
+        .rim = rim,
+        .options = {"print_level=5", "derivative_test=second-order",
+                    "derivative_test_perturbation=1e-7", "derivative_test_tol=1e-4", "max_iter=0"}};
     const Mesh mesh = mesh_of(request);
     const AreaLimits limits(mesh, request.least, rim);
     Ipopt::SmartPtr<Adapter> adapter = new Adapter(limits);
@@ -268,7 +279,7 @@ int run(int argc, char** argv) {
                   .seed = std::strtoull(argv[3], nullptr, 10),
                   .noise = std::atof(argv[4]),
                   .least = std::atof(argv[5]),
-                  .rim = rim == "fixed" ? Rim::fixed : Rim::on_unit_circle};
+                  .rim = rim == "fixed" ? Rim::fixed : Rim::on_circle};
   if (argc > 7) request.most_cpu_seconds = std::atof(argv[7]);
   for (int i = 8; i < argc; ++i) request.options.emplace_back(argv[i]);
   std::puts(solve(request).dump().c_str());

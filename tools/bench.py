@@ -12,6 +12,11 @@ Builds nothing: `./run bench` does both. Groups, in the order they run:
   file     the command line program on a file of a million vertices
   kernels  single functions, with Google Benchmark
 
+and, only when asked for with --only:
+
+  limits   whole solves in which no triangle may become too small, against Ipopt's: needs a
+           solver_bench that takes a least area (or none) and what the boundary may do
+
 --quick leaves out a million vertices and the peers. Goals that were not measured say so. The exit
 status is 1 if a program failed, not if a goal is missed.
 """
@@ -28,11 +33,26 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 GROUPS = ("solver", "peers", "file", "kernels")
+GROUPS_ON_DEMAND = ("limits",)
 SIZES = (10_000, 100_000, 1_000_000)
 LARGEST = SIZES[-1]
 REPEATS = 3
 PEERS = {"NLopt": "peer_nlopt", "Ipopt": "peer_ipopt"}
 PEER_CPU_LIMIT = 300.0  # seconds after which a peer may give up
+# Case, vertices, least area in mean areas, what the boundary may do, noise of the same mesh for
+# Ipopt; None where it would take too long.
+LIMITED = (
+    ("disk", 1_000, 0.2, "slide", 0),
+    ("disk_tangled", 1_000, 0.2, "slide", 1),
+    ("disk", 1_000, 0.6, "slide", 0),
+    ("disk_tangled", 1_000, 0.6, "slide", 1),
+    ("disk", 10_000, 0.2, "slide", 0),
+    ("disk_tangled", 10_000, 0.2, "slide", 1),
+    ("triangles", LARGEST, 0.2, "fixed", None),
+    ("tangled", LARGEST, 0.2, "fixed", None),
+)
+# A tangled mesh has no unconstrained solve of its own worth comparing with: the valid one's.
+VALID_TWIN = {"disk_tangled": "disk", "tangled": "triangles"}
 MIB = 1024.0 * 1024.0
 
 
@@ -162,6 +182,33 @@ def measure_peers(build, solver):
             result["slower_than_all_of_smooth"] = (
                 result["cpu_seconds"] / ours["cpu_of_parts_seconds"]["smooth"])
             results.append({"name": peer, "size": size, "absent": False, **result})
+    return results
+
+
+def measure_oracle(build, size, least, rim, noise):
+    """Ipopt's answer, None where it is too slow or was not built."""
+    program = build / "oracle_ipopt"
+    if noise is None or not program.exists():
+        return None
+    return run_json(program, "disk", size, 1, noise, least, rim, PEER_CPU_LIMIT)
+
+
+def measure_limits(build, quick):
+    results = []
+    for case, size, least, rim, noise in LIMITED:
+        if quick and size == LARGEST:
+            continue
+        narrate(f"{case}, {size_name(size)} vertices, areas of at least {least} mean areas, {rim}")
+        result = run_json(build / "solver_bench", case, size, 1, REPEATS, least, rim)
+        free = run_json(build / "solver_bench", VALID_TWIN.get(case, case), size, 1, REPEATS,
+                        "none", rim)
+        oracle = measure_oracle(build, size, least, rim, noise)
+        results.append({
+            **result, "case": case, "size": size, "least": least, "rim": rim, "oracle": oracle,
+            "slower_than_free": ratio(result, free, "cpu_of_parts_seconds", "smooth"),
+            "cost_over_oracle": ratio(result, oracle, "cost"),
+            "oracle_slower": oracle and (oracle["cpu_seconds"] /
+                                         result["cpu_of_parts_seconds"]["smooth"])})
     return results
 
 
@@ -380,6 +427,23 @@ def print_peers(peers):
                  "evaluations"], rows)
 
 
+def print_limits(limits):
+    def shown(value, text):
+        return "-" if value is None else text.format(value)
+
+    rows = [[limit["case"], size_name(limit["size"]), limit["rim"], f"{limit['least']:g}",
+             f"{limit['inverted_before']} > {limit['inverted_after']}",
+             limit["iterations_until_valid"], limit["iterations"],
+             f"{limit['cpu_of_parts_seconds']['smooth']:.3f}",
+             f"{limit['slower_than_free']:.1f}x",
+             shown(limit["cost_over_oracle"] and limit["cost_over_oracle"] - 1.0, "{:+.1e}"),
+             shown(limit["oracle_slower"], "{:.1f}x")] for limit in limits]
+    print_table("No triangle below a least area (in mean areas)",
+                ["case", "size", "boundary", "least", "inverted", "iterations until none",
+                 "iterations", "smooth CPU s", "valid, no limit = 1", "cost over Ipopt's",
+                 "Ipopt, evenmesh = 1"], rows)
+
+
 def print_files(files):
     rows = [[f["case"], size_name(f["size"]), f"{f['file_bytes'] / 1e6:.0f}",
              f"{f['read_mb_per_second']:.0f}", f"{f['cpu_seconds']:.2f}",
@@ -420,8 +484,8 @@ def print_setting(results):
 
 def print_all(results):
     print_setting(results)
-    for key, show in (("solver", print_solver), ("peers", print_peers), ("file", print_files),
-                      ("kernels", print_kernels)):
+    for key, show in (("solver", print_solver), ("peers", print_peers), ("limits", print_limits),
+                      ("file", print_files), ("kernels", print_kernels)):
         if results.get(key):
             show(results[key])
     print_goals(results["goals"])
@@ -439,12 +503,13 @@ def parse_arguments():
                         help="file for the results (out/bench.json)")
     parser.add_argument("--quick", action="store_true",
                         help="without a million vertices and without peers")
-    parser.add_argument("--only", default="", help=f"some of {','.join(GROUPS)}")
+    parser.add_argument("--only", default="", help=f"some of {','.join(GROUPS + GROUPS_ON_DEMAND)}")
     arguments = parser.parse_args()
     groups = [group for group in arguments.only.split(",") if group] or list(GROUPS)
     for group in groups:
-        if group not in GROUPS:
-            parser.error(f"there is no group '{group}'; known are {', '.join(GROUPS)}")
+        if group not in GROUPS + GROUPS_ON_DEMAND:
+            parser.error(f"there is no group '{group}'; known are "
+                         f"{', '.join(GROUPS + GROUPS_ON_DEMAND)}")
     if not (arguments.build / "solver_bench").exists():
         parser.error(f"there is no {arguments.build / 'solver_bench'}; ./run bench builds it")
     if arguments.quick and not arguments.only:
@@ -459,6 +524,8 @@ def measure(build, groups, quick):
         results["solver"] = measure_solver(build, sizes)
     if "peers" in groups:
         results["peers"] = measure_peers(build, results.get("solver", []))
+    if "limits" in groups:
+        results["limits"] = measure_limits(build, quick)
     if "file" in groups:
         results["file"] = measure_file(build, sizes[-1])
     if "kernels" in groups:

@@ -14,6 +14,9 @@
 namespace evenmesh::bench {
 namespace {
 
+constexpr double kNoiseOfTangled = 0.95;
+constexpr double kNoiseOfTangledDisk = 1.0;
+
 /// The same mesh pushed to and fro in one long wave that leaves the boundary where it is.
 Mesh bent(const Mesh& mesh) {
   std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
@@ -35,12 +38,16 @@ Mesh make_case_mesh(std::string_view name, std::size_t vertices) {
   if (name == "triangles_shuffled") {
     return shapes::shuffled(shapes::irregular_triangles(vertices), 1);
   }
+  if (name == "tangled") return shapes::irregular_triangles(vertices, 0.3, 1, kNoiseOfTangled);
+  if (name == "disk") return shapes::disk_triangles(vertices);
+  if (name == "disk_tangled") return shapes::disk_triangles(vertices, 1, kNoiseOfTangledDisk);
   if (name == "quads") {
     const auto n = std::lround(std::sqrt(static_cast<double>(vertices))) - 1;
     return shapes::quad_grid(static_cast<int>(std::max(n, 1L)), 1.0, 0.25);
   }
   throw InvalidOption("there is no case named '" + std::string(name) +
-                      "'; known are triangles, triangles_bent, triangles_shuffled, quads");
+                      "'; known are triangles, triangles_bent, triangles_shuffled, tangled, disk, "
+                      "disk_tangled, quads");
 }
 
 std::vector<char> boundary_of(const Mesh& mesh, const Orientation& orientation) {

@@ -17,6 +17,9 @@ namespace evenmesh::bench {
 ///   triangles_bent      the same displaced along a long wave by up to a tenth of the square: at a
 ///                       million vertices, a hundred cells
 ///   triangles_shuffled  triangles with vertices and cells in random order
+///   tangled             triangles, a quarter of which noise has turned over
+///   disk                the unit disk, irregular triangles, boundary vertices on the circle
+///   disk_tangled        disk, of which noise has turned over 23 %
 ///   quads               the unit square, quads displaced by up to a quarter of their width
 ///
 /// @throws InvalidOption  there is no such case
