@@ -46,6 +46,7 @@ TEST(Smooth, NeverRaisesTheCost) {
     const Report report = smooth(mesh, problem_of(mesh));
     for (std::size_t i = 1; i < report.history.size(); ++i) {
       const double before = report.history[i - 1].cost;
+      if (report.history[i].function != report.history[i - 1].function) continue;
       EXPECT_LE(report.history[i].cost, before + 1e-12 * before) << name << ", iteration " << i;
     }
   }

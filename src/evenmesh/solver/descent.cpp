@@ -144,6 +144,7 @@ class Descent {
       return false;
     }
     steps_since_change_ = 0;
+    ++function_;
     cost_ = evaluate(x_, places_, g_);
     precondition();
     conjugate_.restart();
@@ -364,6 +365,7 @@ class Descent {
                                .max_move = max_move,
                                .limited = limited,
                                .inverted = inverted_,
+                               .function = function_,
                                .evaluations = evaluations_,
                                .seconds = timer_.seconds()});
   }
@@ -395,6 +397,7 @@ class Descent {
   double start_plain_ = 0.0;
   double trial_ = 1.0;          // step length to try first
   double inner_target_ = 0.0;   // norm at which constraints are looked at again
+  int function_ = 0;            // counts its changes
   int steps_since_change_ = 0;  // of the function
   int steps_since_look_ = 0;    // at constraints
   std::size_t slow_since_ = 0;  // iterate from which on slowness counts

@@ -87,6 +87,12 @@ std::string Guard::find_breach(Workers& workers, Points points, Judge judge) con
                ? fmt::format("cell {} would be inverted or more so than before", cell)
                : fmt::format("cell {} would be worse than the worst was before", cell);
   }
+  if (limit_ != nullptr) {
+    const double found = limit_->measure(workers, points);
+    if (found > limit_->limit()) {
+      return fmt::format("the shape would be {:.3g} away from the input's", found);
+    }
+  }
   if (judge == Judge::quality_and_inversion &&
       mean_shape(workers, quality) < (1.0 - kSumRounding) * summary_.metrics[kShape].mean) {
     return "the mean of shape would be lower than before";
@@ -114,6 +120,10 @@ class Guard::Retreat {
   void run() {
     while (true) {
       while (mark_offenders()) retreat();
+      if (mark_deviating()) {
+        retreat();
+        continue;
+      }
       if (judge_ == Judge::inversion) return;
       if (mean_shape(workers_, quality_) >= guard_.summary_.metrics[kShape].mean) return;
       mean_fell_ = true;
@@ -148,6 +158,17 @@ class Guard::Retreat {
         marked_[v] = 1;
         any = true;
       }
+    }
+    return any;
+  }
+
+  bool mark_deviating() {
+    if (guard_.limit_ == nullptr) return false;
+    guard_.limit_->mark(workers_, points_, marked_);
+    bool any = false;
+    for (std::size_t v = 0; v < marked_.size(); ++v) {
+      if (marked_[v] && !may_go_back(static_cast<Index>(v))) marked_[v] = 0;
+      any = any || marked_[v];
     }
     return any;
   }

@@ -11,6 +11,7 @@
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/orientation.h"
 #include "evenmesh/quality/quality.h"
+#include "evenmesh/solver/deviation_limit.h"
 #include "evenmesh/solver/report.h"
 
 namespace evenmesh {
@@ -22,11 +23,16 @@ enum class Judge { quality_and_inversion, inversion };
 ///
 /// - no cell is inverted that was not in the input, and none that was has a corner further over,
 /// - the worst value over the mesh of every metric is at least as good as in the input,
-/// - so is the mean of `shape`.
+/// - so is the mean of `shape`,
+/// - and the shape stays within a distance of the input's, if one is set.
 class Guard {
  public:
   /// Measures the input. It and the orientation must outlive the guard.
   Guard(Workers& workers, const Mesh& input, const Orientation& orientation);
+
+  /// Also keeps the shape within a distance of another (or the same) mesh's.
+  /// @param limit  must outlive the guard
+  void set_limit(const DeviationLimit* limit) { limit_ = limit; }
 
   const QualitySummary& before() const { return summary_; }
 
@@ -65,6 +71,7 @@ class Guard {
   const Orientation& orientation_;
   CellQuality quality_;
   QualitySummary summary_;
+  const DeviationLimit* limit_ = nullptr;
 };
 
 }  // namespace evenmesh

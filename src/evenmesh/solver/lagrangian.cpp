@@ -461,21 +461,19 @@ Lagrangian::Violation Lagrangian::violation(Workers& workers, Points x) const {
   return all;
 }
 
-std::vector<Lagrangian::ActiveCell> Lagrangian::active_cells(Workers& workers, Points x) const {
+std::vector<ActiveCell> Lagrangian::active_cells(Workers& workers, Points x) const {
   std::vector<std::vector<ActiveCell>> parts(layout_.chunks());
   layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
     std::vector<ActiveCell>& part = parts[chunk];
     for_rows(block, x, [&](std::size_t i, std::uint32_t row, double v, const auto&) {
       const double multiplier = mode_ == Mode::multipliers ? lambda_[row] : 0.0;
-      if (multiplier == 0.0 && v >= 0.0) return;
+      const double excess = v < -kMet ? -v : 0.0;
+      if (multiplier == 0.0 && excess == 0.0) return;
       const std::uint32_t number = block.numbers[i];
       const double weighed = weight_unit_ * demands_[block.first + i].weight * multiplier;
-      if (part.empty() || part.back().cell != number) {
-        part.push_back({number, weighed, v});
-      } else {
-        part.back().multiplier += weighed;
-        part.back().least = std::min(part.back().least, v);
-      }
+      if (part.empty() || part.back().cell != number) part.push_back({number, 0.0, 0.0});
+      part.back().multiplier += weighed;
+      part.back().excess = std::max(part.back().excess, excess);
     });
   });
   std::vector<ActiveCell> all;
@@ -485,26 +483,27 @@ std::vector<Lagrangian::ActiveCell> Lagrangian::active_cells(Workers& workers, P
   return all;
 }
 
-std::vector<Lagrangian::ActiveBound> Lagrangian::active_bounds(Points x) const {
+std::vector<ActiveBound> Lagrangian::active_bounds(Points x) const {
   std::vector<ActiveBound> active;
   const double weight = other_stiffness_ * typical_length_ * typical_length_;
   for (const FunctionRow& row : functions_) {
     const double v = value_of(row, value(row.bound, x, {}));
-    const double excess = row.equation ? std::abs(v) : std::max(0.0, -v);
+    double excess = row.equation ? std::abs(v) : -v;
+    if (excess <= kMet) excess = 0.0;
     if (row.lambda == 0.0 && excess == 0.0) continue;
     active.push_back({row.bound, weight * row.sign * row.lambda / row.unit, excess * row.unit});
   }
   return active;
 }
 
-std::vector<Lagrangian::ActiveBound> Lagrangian::active_leashes(Points x) const {
+std::vector<ActiveBound> Lagrangian::active_moves(Points x) const {
   std::vector<ActiveBound> active;
   for (const Leash& leash : leashes_) {
     const double v = value_of(leash, x);
-    if (leash.lambda == 0.0 && v >= 0.0) continue;
+    if (leash.lambda == 0.0 && v >= -kMet) continue;
     // dv / dlength = 2 / length where v = 0.
     active.push_back({leash.vertex, 2.0 * other_stiffness_ * leash.length * leash.lambda,
-                      leash.length * (std::sqrt(1.0 - std::min(v, 0.0)) - 1.0)});
+                      v < -kMet ? leash.length * (std::sqrt(1.0 - v) - 1.0) : 0.0});
   }
   return active;
 }

@@ -11,6 +11,7 @@
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/problem/problem.h"
 #include "evenmesh/solver/layout.h"
+#include "evenmesh/solver/report.h"
 
 namespace evenmesh {
 
@@ -67,23 +68,10 @@ class Lagrangian {
   };
   Violation violation(Workers& workers, Points x) const;
 
-  /// A cell whose demand is active or not met.
-  struct ActiveCell {
-    std::uint32_t cell;  // number in the mesh
-    double multiplier;   // sum over its rows, w lambda: cost per unit of v
-    double least;        // of v over its rows; negative: not met
-  };
-  /// By cell number.
+  /// What is active or not met at x, with its multiplier.
   std::vector<ActiveCell> active_cells(Workers& workers, Points x) const;
-
-  /// A bound on a function of positions, or on a vertex's move, with its multiplier.
-  struct ActiveBound {
-    std::size_t number;  // of the bound in Problem::bounds, or of the vertex
-    double multiplier;   // derivative of the cost with respect to the bound, in the units of both
-    double excess;       // how far beyond the bound, in the units of the function; 0: met
-  };
   std::vector<ActiveBound> active_bounds(Points x) const;
-  std::vector<ActiveBound> active_leashes(Points x) const;
+  std::vector<ActiveBound> active_moves(Points x) const;
 
  private:
   // What is demanded of one cell.

@@ -76,7 +76,7 @@ std::optional<Reordered> reorder_if_poor(const Mesh& mesh, const Problem& proble
   for_cells_in(ordering.cells, cells, [&](std::span<const Index> cell, std::uint32_t c) {
     vertices.clear();
     for (const Index v : cell) vertices.push_back(number[v]);
-    sorted.add(cells.kind(c), vertices);
+    sorted.add(cells.kind(c), vertices, cells.group(c));
     if (!from.signs.empty()) to.signs.push_back(from.signs[c]);
     if (!from.normals.empty()) to.normals.push_back(from.normals[c]);
   });

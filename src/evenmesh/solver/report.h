@@ -54,8 +54,36 @@ struct Iteration {
   double max_move = 0.0;        // longest move of a vertex in this step, mesh length unit
   std::size_t limited = 0;      // vertices whose step was shortened so that no cell turns over
   std::size_t inverted = 0;     // cells with a vertex that may move
+  int function = 0;             // costs only compare between iterates with the same number: it
+                                // rises when a penalty or multiplier has changed
   int evaluations = 0;          // of cost and gradient so far
   double seconds = 0.0;         // wall-clock since the solver began
+};
+
+/// A demand on a cell that is active or not met.
+struct ActiveCell {
+  std::uint32_t cell = 0;   // number in the mesh
+  double multiplier = 0.0;  // cost gained per unit by which the demand is relaxed, a cell's size
+                            // counting as 1
+  double excess = 0.0;      // how far from being met, in the same units; 0: met
+};
+
+/// A limit on a vertex's move, or a bound on a function, that is active or not met.
+struct ActiveBound {
+  std::size_t number = 0;   // of the vertex, or of the bound in Problem::bounds
+  double multiplier = 0.0;  // derivative of the cost with respect to the limit
+  double excess = 0.0;      // how far beyond the limit, in its own unit; 0: met
+};
+
+/// What keeps vertices back from lowering the cost further.
+struct Holding {
+  /// Per vertex: the derivative of the cost with respect to a move that what was eliminated forbids
+  /// (being fixed, sliding on a line or surface, being tied): the length of that constraint's
+  /// multiplier. 0 where the vertex is free.
+  std::vector<float> of_vertex;
+  std::vector<ActiveCell> cells;   // by cell
+  std::vector<ActiveBound> moves;  // by vertex
+  std::vector<ActiveBound> bounds;
 };
 
 /// What happened to a mesh, in numbers.
@@ -76,6 +104,11 @@ struct Report {
   std::size_t pulled_back = 0;  // vertices pulled back so that nothing is worse than before
   double max_move = 0.0;        // longest move, mesh length unit
   double mean_move = 0.0;       // over the vertices that moved
+
+  double deviation = 0.0;  // of the shape from the input's, both ways, where it was measured
+  std::size_t unmet = 0;   // demands on cells, moves and functions that are not met
+  int target_steps = 0;    // in which vertices were brought to their targets
+  Holding holding;
 
   int multigrid_levels = 0;
   double setup_seconds = 0.0;      // ordering, layout, preconditioner

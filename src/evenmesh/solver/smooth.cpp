@@ -91,7 +91,9 @@ class Smoothing {
         mesh_(mesh),
         problem_(problem),
         options_(options),
-        guard_(workers, mesh, problem.orientation) {
+        guard_(workers, mesh, problem.orientation),
+        limit_(workers, mesh, problem.orientation.type, problem.max_deviation) {
+    if (std::isfinite(problem.max_deviation)) guard_.set_limit(&limit_);
     report_.vertices = mesh.point_count();
     report_.movable = problem.motion.moving();
     report_.quality_before = report_.quality_after = guard_.before();
@@ -126,6 +128,10 @@ class Smoothing {
     report_.pulled_back = result.pulled_back;
     report_.quality_after = result.after;
     report_.cost_after = objective.cost(workers_, points_);
+    find_what_holds(objective);
+    if (std::isfinite(problem_.max_deviation)) {
+      report_.deviation = limit_.measure(workers_, points_);
+    }
     restore_unmoved(mesh_.points(), points_);
     count_moves(mesh_.points(), points_, report_);
     report_.check_seconds += timer_.seconds();
@@ -137,6 +143,35 @@ class Smoothing {
  private:
   Judge judge() const {
     return options_.allow_worse ? Judge::inversion : Judge::quality_and_inversion;
+  }
+
+  // Multipliers: of what was eliminated, the part of the gradient that vertices cannot follow.
+  void find_what_holds(Objective& objective) {
+    const Lagrangian& lagrangian = *objective.lagrangian();
+    Holding& holding = report_.holding;
+    holding.cells = lagrangian.active_cells(workers_, points_);
+    holding.moves = lagrangian.active_moves(points_);
+    holding.bounds = lagrangian.active_bounds(points_);
+    const auto unmet = [](const auto& demands) {
+      return static_cast<std::size_t>(std::count_if(
+          demands.begin(), demands.end(), [](const auto& demand) { return demand.excess > 0.0; }));
+    };
+    report_.unmet = unmet(holding.cells) + unmet(holding.moves) + unmet(holding.bounds);
+
+    std::vector<Vec3> gradient(points_.size());
+    objective.evaluate(workers_, points_, gradient);
+    const Motion& motion = problem_.motion;
+    Motion::Places places;
+    std::vector<Vec3> x = points_;
+    motion.retract(workers_, mesh_.points(), motion.start(), x, places);
+    holding.of_vertex.assign(points_.size(), 0.0f);
+    for_ranges(workers_, points_.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) {
+        const auto vertex = static_cast<Index>(v);
+        const Vec3 rest = gradient[v] - motion.project(places, vertex, gradient[v]);
+        holding.of_vertex[v] = static_cast<float>(rest.norm());
+      }
+    });
   }
 
   // The minimiser has a lower mean of shape than the input: the cost and the measure disagree here.
@@ -183,7 +218,8 @@ class Smoothing {
   const Problem& problem_;
   const Options& options_;
   Timer timer_;
-  const Guard guard_;
+  Guard guard_;
+  const DeviationLimit limit_;
   Report report_;
   std::vector<Vec3> points_;
 };
