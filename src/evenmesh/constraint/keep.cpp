@@ -156,6 +156,7 @@ class SurfaceArea final : public Total {
 
   double evaluate(Points x, std::span<Vec3> gradient) const override {
     return add_up(x, gradient, [&](std::span<const Index> corners, int, const auto& at) {
+      if (corners.size() == 3) return add_triangle(corners, at, gradient);
       const Vec3 doubled = figure(corners, at).doubled_area;
       const double length = doubled.norm();
       if (!gradient.empty() && length > 0.0) {
@@ -163,6 +164,27 @@ class SurfaceArea final : public Total {
       }
       return 0.5 * length;
     });
+  }
+
+ private:
+  // The same as for any polygon in fewer operations: most surfaces are made of these.
+  template <typename At>
+  static double add_triangle(std::span<const Index> corners, const At& at,
+                             std::span<Vec3> gradient) {
+    const Vec3 first = at(corners[0]);
+    const Vec3 u = at(corners[1]) - first;
+    const Vec3 v = at(corners[2]) - first;
+    const Vec3 doubled = u.cross(v);
+    const double length = doubled.norm();
+    if (!gradient.empty() && length > 0.0) {
+      const Vec3 half_normal = (0.5 / length) * doubled;
+      const Vec3 second_slope = v.cross(half_normal);
+      const Vec3 third_slope = half_normal.cross(u);
+      gradient[corners[0]] -= second_slope + third_slope;
+      gradient[corners[1]] += second_slope;
+      gradient[corners[2]] += third_slope;
+    }
+    return 0.5 * length;
   }
 };
 
@@ -174,6 +196,7 @@ class VolumeWithin final : public Total {
 
   double evaluate(Points x, std::span<Vec3> gradient) const override {
     return add_up(x, gradient, [&](std::span<const Index> corners, int weight, const auto& at) {
+      if (corners.size() == 3) return add_triangle(corners, weight / 6.0, at, gradient);
       const Figure its = figure(corners, at);
       const double sixth = weight / 6.0;
       if (!gradient.empty()) {
@@ -183,6 +206,22 @@ class VolumeWithin final : public Total {
       }
       return sixth * its.mean.dot(its.doubled_area);
     });
+  }
+
+ private:
+  template <typename At>
+  static double add_triangle(std::span<const Index> corners, double sixth, const At& at,
+                             std::span<Vec3> gradient) {
+    const Vec3 a = at(corners[0]);
+    const Vec3 b = at(corners[1]);
+    const Vec3 c = at(corners[2]);
+    const Vec3 normal = sixth * b.cross(c);
+    if (!gradient.empty()) {
+      gradient[corners[0]] += normal;
+      gradient[corners[1]] += sixth * c.cross(a);
+      gradient[corners[2]] += sixth * a.cross(b);
+    }
+    return a.dot(normal);
   }
 };
 

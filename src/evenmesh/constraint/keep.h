@@ -32,8 +32,8 @@ std::string_view name(Keep what);
 ///                        quads; each piece as most of it is wound (a cavity counts negative if it
 ///                        is wound inward), and positive altogether in the input
 ///
-/// vertices() ascend. One pass over cells (or boundary sides), no allocation; the gradient is
-/// exact, and 0 with respect to a cell without area.
+/// vertices() ascend. One pass over cells (or boundary sides); the gradient is exact, and what a
+/// cell without area adds to it is 0.
 /// @param group  only the cells of this group; nothing: all
 /// @throws InvalidOption  no such cells: none in the group, volume cells only for an area; the
 ///                        volume of a planar mesh, of a surface that is not closed, or of one that

@@ -88,13 +88,13 @@ void adjust(std::span<double> stretches, std::span<const double> distances, doub
 }
 
 std::vector<Vec3> even_places(const Polyline& line, std::size_t stretch_count) {
-  constexpr double kEven = 1e-12;
   constexpr int kRounds = 500;
   const double count = static_cast<double>(stretch_count);
+  const double even = 1e-12 + 1e-15 * count;  // arc lengths of many edges have fewer digits
   std::vector<double> stretches(stretch_count, line.length() / count);
   std::vector<Vec3> best;
   double least = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < kRounds && least > kEven; ++round) {
+  for (int round = 0; round < kRounds && least > even; ++round) {
     std::vector<Vec3> places = line.places(stretches);
     const std::vector<double> spans = distances(places);
     const double mean = sum(spans) / count;

@@ -23,9 +23,9 @@ struct Chain {
 ///
 /// The places keep their order along the polyline, which is where the vertices are now. They are
 /// at equal arc lengths at first, and each stretch then grows or shrinks with the distance it
-/// spans, until distances agree to 1e-12 of their mean. On a line both are the same. Where the
-/// polyline turns back on itself within a few edges there may be no such places: the most even
-/// ones seen are returned. A chain without length stays as it is.
+/// spans, until distances agree to 1e-12 of their mean (1e-15 more per edge). On a line both are
+/// the same. Where the polyline turns back on itself within a few edges there may be no such
+/// places: the most even ones seen are returned. A chain without length stays as it is.
 /// @return  one target per vertex of the chain that does not stay, in the order of the chain
 std::vector<Target> space_evenly(Points points, const Chain& chain);
 
