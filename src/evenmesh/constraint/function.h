@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "evenmesh/base/vec3.h"
 
@@ -26,6 +27,14 @@ class Function {
   /// @param gradient  one vector per entry of vertices(), set to the derivative with respect to
   ///                  it; empty: only the value is wanted
   virtual double evaluate(Points own, std::span<Vec3> gradient) const = 0;
+
+  /// The same, given the positions of all vertices of the mesh.
+  double at(Points x, std::span<Vec3> gradient = {}) const {
+    std::vector<Vec3> own;
+    own.reserve(vertices().size());
+    for (const Index v : vertices()) own.push_back(x[v]);
+    return evaluate(own, gradient);
+  }
 };
 
 /// lower <= c(x) <= upper; an equation where both are the same.

@@ -316,11 +316,7 @@ double Lagrangian::evaluate(const Layout::Block& block, Points x, std::span<Vec3
 }
 
 double Lagrangian::value(std::size_t bound, Points x, std::span<Vec3> gradient) const {
-  const Function& function = *problem_.bounds[bound].function;
-  std::vector<Vec3> own;
-  own.reserve(function.vertices().size());
-  for (const Index v : function.vertices()) own.push_back(x[v]);
-  return function.evaluate(own, gradient);
+  return problem_.bounds[bound].function->at(x, gradient);
 }
 
 double Lagrangian::evaluate_others(Points x, std::span<Vec3> gradient) const {
