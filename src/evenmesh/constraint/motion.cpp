@@ -237,6 +237,13 @@ void Motion::retract(Index vertex, Points x_0, const Places& from, std::span<Vec
   }
 }
 
+void Motion::start_from(Workers& workers, Points x_0, Points x) {
+  std::vector<Vec3> there(x.begin(), x.end());
+  Places places;
+  retract(workers, x_0, start_, there, places);
+  start_ = std::move(places);
+}
+
 Motion Motion::renumbered(std::span<const Index> order) const {
   Motion result;
   result.common_normal_ = common_normal_;

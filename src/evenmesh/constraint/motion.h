@@ -111,6 +111,9 @@ class Motion {
   /// The same for one vertex (and what is tied to it).
   void retract(Index vertex, Points x_0, const Places& from, std::span<Vec3> x, Places& to) const;
 
+  /// Lets the start be where vertices are after moves from x_0, the start so far, to x.
+  void start_from(Workers& workers, Points x_0, Points x);
+
   /// The same for vertices in another order: vertex k of the result is order[k] here.
   Motion renumbered(std::span<const Index> order) const;
 

@@ -156,11 +156,10 @@ Lagrangian::Lagrangian(Workers& workers, const Mesh& input, const Problem& probl
     if (problem.motion.freedom(vertex) == Motion::Freedom::fixed) continue;
     if (std::isfinite(problem.max_move[v])) leashes_.push_back({vertex, problem.max_move[v]});
   }
-  start_violates_ = violation(workers, input.points()).cells > 0;
-  reset();
+  reset(workers, input.points());
 }
 
-void Lagrangian::reset() {
+void Lagrangian::reset(Workers& workers, Points x) {
   std::fill(lambda_.begin(), lambda_.end(), 0.0f);
   for (FunctionRow& row : functions_) row.lambda = 0.0;
   for (Leash& leash : leashes_) leash.lambda = 0.0;
@@ -168,7 +167,7 @@ void Lagrangian::reset() {
   rounds_ = 0;
   last_residual_ = std::numeric_limits<double>::infinity();
   settled_ = demands_.empty() && functions_.empty() && leashes_.empty();
-  enter_stage(start_violates_ ? 0 : static_cast<int>(kStages.size()));
+  enter_stage(violation(workers, x).cells > 0 ? 0 : static_cast<int>(kStages.size()));
 }
 
 // Geometric mean of the springs' stiffnesses, which a collapsed cell cannot spoil.

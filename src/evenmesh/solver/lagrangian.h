@@ -34,8 +34,8 @@ class Lagrangian {
   /// All arguments must outlive the object.
   Lagrangian(Workers& workers, const Mesh& input, const Problem& problem, const Layout& layout);
 
-  /// Back to the start, with multipliers 0.
-  void reset();
+  /// Begins anew at x, with multipliers 0.
+  void reset(Workers& workers, Points x);
 
   // ---- the function -----------------------------------------------------------------------------
 
@@ -139,7 +139,6 @@ class Lagrangian {
   std::vector<FunctionRow> functions_;
   std::vector<Leash> leashes_;
 
-  bool start_violates_ = false;
   Mode mode_ = Mode::multipliers;
   int stage_ = 0;
   int rounds_ = 0;  // of multipliers

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/solver/reorder.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -41,6 +42,18 @@ std::vector<Vec3> Reordered::from_original(Points points) const {
   return result;
 }
 
+void Reordered::to_original(Holding& holding) const {
+  std::vector<float> of_vertex(holding.of_vertex.size());
+  for (std::size_t k = 0; k < of_vertex.size(); ++k) of_vertex[order[k]] = holding.of_vertex[k];
+  holding.of_vertex = std::move(of_vertex);
+  for (ActiveCell& active : holding.cells) active.cell = cell_order[active.cell];
+  for (ActiveBound& active : holding.moves) active.number = order[active.number];
+  std::sort(holding.cells.begin(), holding.cells.end(),
+            [](const ActiveCell& a, const ActiveCell& b) { return a.cell < b.cell; });
+  std::sort(holding.moves.begin(), holding.moves.end(),
+            [](const ActiveBound& a, const ActiveBound& b) { return a.number < b.number; });
+}
+
 std::optional<Reordered> reorder_if_poor(const Mesh& mesh, const Problem& problem) {
   const Cells& cells = mesh.cells();
   if (has_good_order(cells)) return std::nullopt;
@@ -58,6 +71,10 @@ std::optional<Reordered> reorder_if_poor(const Mesh& mesh, const Problem& proble
     result.problem.bounds.push_back(bound);
     result.problem.bounds.back().function =
         std::make_shared<RenumberedFunction>(bound.function, number);
+  }
+  result.problem.max_deviation = problem.max_deviation;
+  for (const Target& target : problem.targets) {
+    result.problem.targets.push_back({number[target.vertex], target.position});
   }
   if (!problem.max_move.empty()) {
     result.problem.max_move.reserve(result.order.size());
@@ -81,6 +98,7 @@ std::optional<Reordered> reorder_if_poor(const Mesh& mesh, const Problem& proble
     if (!from.normals.empty()) to.normals.push_back(from.normals[c]);
   });
   result.mesh = Mesh(result.from_original(mesh.points()), std::move(sorted));
+  result.cell_order = std::move(ordering.cells);
   return result;
 }
 

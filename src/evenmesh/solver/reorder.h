@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/problem/problem.h"
+#include "evenmesh/solver/report.h"
 
 namespace evenmesh {
 
@@ -14,11 +16,14 @@ namespace evenmesh {
 struct Reordered {
   Mesh mesh;
   Problem problem;
-  std::vector<Index> order;  // vertex k here is order[k] in the original
+  std::vector<Index> order;               // vertex k here is order[k] in the original
+  std::vector<std::uint32_t> cell_order;  // the same for cells
 
   /// Positions in the original numbering.
   std::vector<Vec3> to_original(Points points) const;
   std::vector<Vec3> from_original(Points points) const;
+  /// Gives vertices and cells their numbers in the original.
+  void to_original(Holding& holding) const;
 };
 
 /// The mesh in a better order, or nothing if its own is good: one pass over a million triangles in

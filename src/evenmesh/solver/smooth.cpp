@@ -12,6 +12,7 @@
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/parallel.h"
 #include "evenmesh/base/timer.h"
+#include "evenmesh/solver/bring.h"
 #include "evenmesh/solver/descent.h"
 #include "evenmesh/solver/flips.h"
 #include "evenmesh/solver/guard.h"
@@ -73,6 +74,8 @@ void restore_unmoved(Points before, std::vector<Vec3>& after) {
 
 void count_moves(Points before, Points after, Report& report) {
   double sum = 0.0;
+  report.moved = 0;
+  report.max_move = 0.0;
   for (std::size_t v = 0; v < before.size(); ++v) {
     if (before[v] == after[v]) continue;
     const double move = (after[v] - before[v]).norm();
@@ -122,6 +125,7 @@ class Smoothing {
     report_.cost_before = objective.cost(workers_, mesh_.points());
 
     timer_ = Timer();
+    keep_within_moves(points_);
     Guard::Result result = guard_.enforce(workers_, points_, judge(), options_.representable);
     if (result.mean_fell) keep_best_iterate(objective, preconditioner, flips, result);
     report_.promise = result.promise;
@@ -143,6 +147,21 @@ class Smoothing {
  private:
   Judge judge() const {
     return options_.allow_worse ? Judge::inversion : Judge::quality_and_inversion;
+  }
+
+  // Multipliers leave moves longer than allowed by a part in many thousands: cuts these off.
+  void keep_within_moves(std::vector<Vec3>& points) const {
+    const Motion& motion = problem_.motion;
+    Motion::Places places = motion.start();
+    for (std::size_t v = 0; v < problem_.max_move.size(); ++v) {
+      const Vec3& start = mesh_.points()[v];
+      for (double part = 1.0; (points[v] - start).norm() > problem_.max_move[v]; part *= 0.999) {
+        const Vec3 move = points[v] - start;
+        points[v] = start + (part * (1.0 - 1e-12) * problem_.max_move[v] / move.norm()) * move;
+        motion.retract(motion.leader(static_cast<Index>(v)), mesh_.points(), motion.start(), points,
+                       places);
+      }
+    }
   }
 
   // Multipliers: of what was eliminated, the part of the gradient that vertices cannot follow.
@@ -184,7 +203,7 @@ class Smoothing {
     again.history.clear();
     again.held = 0;
     objective.motion() = problem_.motion;
-    objective.lagrangian()->reset();
+    objective.lagrangian()->reset(workers_, mesh_.points());
     std::vector<Vec3> x(mesh_.points().begin(), mesh_.points().end());
     std::vector<Vec3> best = x;
     double best_mean = guard_.before().of(Metric::shape).mean;
@@ -200,6 +219,7 @@ class Smoothing {
       return number++ < best_number + kPatience;
     });
     if (best_number == 0) return;
+    keep_within_moves(best);
     const Guard::Result other = guard_.enforce(workers_, best, judge(), options_.representable);
     if (other.promise == Promise::unimproved ||
         other.after.of(Metric::shape).mean <= result.after.of(Metric::shape).mean) {
@@ -224,6 +244,30 @@ class Smoothing {
   std::vector<Vec3> points_;
 };
 
+// smooth() for a mesh in good order: brings vertices to their targets, then smooths.
+Report bring_and_smooth(Workers& workers, Mesh& mesh, const Problem& problem,
+                        const Options& options) {
+  if (problem.targets.empty()) {
+    Smoothing smoothing(workers, mesh, problem, options);
+    smoothing.run();
+    mesh.set_points(std::move(smoothing.points()));
+    return smoothing.report();
+  }
+  const Brought brought = bring_to_targets(workers, mesh, problem, options);
+  Problem there = problem;
+  there.motion.start_from(workers, mesh.points(), brought.mesh.points());
+  Smoothing smoothing(workers, brought.mesh, there, options);
+  smoothing.run();
+  Report report = smoothing.report();
+  report.quality_before =
+      summarize(workers, measure_cells(workers, mesh, mesh.points(), problem.orientation));
+  report.target_steps = brought.steps;
+  restore_unmoved(mesh.points(), smoothing.points());
+  count_moves(mesh.points(), smoothing.points(), report);
+  mesh.set_points(std::move(smoothing.points()));
+  return report;
+}
+
 }  // namespace
 
 Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
@@ -233,12 +277,7 @@ Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
   Workers workers(options.threads);
   const Timer ordering;
   std::optional<Reordered> reordered = reorder_if_poor(mesh, problem);
-  if (!reordered) {
-    Smoothing smoothing(workers, mesh, problem, options);
-    smoothing.run();
-    mesh.set_points(std::move(smoothing.points()));
-    return smoothing.report();
-  }
+  if (!reordered) return bring_and_smooth(workers, mesh, problem, options);
 
   const double ordering_seconds = ordering.seconds();
   Options inner = options;
@@ -247,10 +286,9 @@ Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
       return reordered->from_original(options.representable(reordered->to_original(points)));
     };
   }
-  Smoothing smoothing(workers, reordered->mesh, reordered->problem, inner);
-  smoothing.run();
-  mesh.set_points(reordered->to_original(smoothing.points()));
-  Report report = smoothing.report();
+  Report report = bring_and_smooth(workers, reordered->mesh, reordered->problem, inner);
+  mesh.set_points(reordered->to_original(reordered->mesh.points()));
+  reordered->to_original(report.holding);
   report.setup_seconds += ordering_seconds;
   return report;
 }
