@@ -22,10 +22,10 @@ class Function {
   /// The vertices it depends on, each once.
   virtual std::span<const Index> vertices() const = 0;
 
-  /// @param x         positions of all vertices, mesh length unit
+  /// @param own       positions of vertices(), in their order, mesh length unit
   /// @param gradient  one vector per entry of vertices(), set to the derivative with respect to
   ///                  it; empty: only the value is wanted
-  virtual double evaluate(Points x, std::span<Vec3> gradient) const = 0;
+  virtual double evaluate(Points own, std::span<Vec3> gradient) const = 0;
 };
 
 /// lower <= c(x) <= upper; an equation where both are the same.

@@ -256,7 +256,7 @@ void Lagrangian::set_up_functions() {
   for (std::size_t b = 0; b < problem_.bounds.size(); ++b) {
     const Bound& bound = problem_.bounds[b];
     gradient.assign(bound.function->vertices().size(), Vec3::Zero());
-    bound.function->evaluate(input_.points(), gradient);
+    value(b, input_.points(), gradient);
     double squares = 0.0;
     for (const Vec3& g : gradient) squares += g.squaredNorm();
     double unit = std::sqrt(squares) * typical_length_;
@@ -312,6 +312,14 @@ double Lagrangian::evaluate(const Layout::Block& block, Points x, std::span<Vec3
   return weight_unit_ * sum;
 }
 
+double Lagrangian::value(std::size_t bound, Points x, std::span<Vec3> gradient) const {
+  const Function& function = *problem_.bounds[bound].function;
+  std::vector<Vec3> own;
+  own.reserve(function.vertices().size());
+  for (const Index v : function.vertices()) own.push_back(x[v]);
+  return function.evaluate(own, gradient);
+}
+
 double Lagrangian::evaluate_others(Points x, std::span<Vec3> gradient) const {
   double sum = 0.0;
   std::vector<Vec3> part;
@@ -319,7 +327,7 @@ double Lagrangian::evaluate_others(Points x, std::span<Vec3> gradient) const {
   for (const FunctionRow& row : functions_) {
     const Function& function = *problem_.bounds[row.bound].function;
     part.assign(gradient.empty() ? 0 : function.vertices().size(), Vec3::Zero());
-    const double v = value_of(row, function.evaluate(x, part));
+    const double v = value_of(row, value(row.bound, x, part));
     const Slope slope = row.equation ? psi_of_equation(v, row.lambda) : psi(v, row.lambda);
     sum += weight * slope.value;
     if (slope.derivative == 0.0) continue;
@@ -398,7 +406,7 @@ double Lagrangian::residual(Workers& workers, Points x) const {
   });
   double most = greatest.empty() ? 0.0 : *std::max_element(greatest.begin(), greatest.end());
   for (const FunctionRow& row : functions_) {
-    const double v = value_of(row, problem_.bounds[row.bound].function->evaluate(x, {}));
+    const double v = value_of(row, value(row.bound, x, {}));
     most = std::max(most, std::abs(row.equation ? v : std::min(v - kMargin, row.lambda / rho_)));
   }
   for (const Leash& leash : leashes_) {
@@ -417,7 +425,7 @@ void Lagrangian::update_multipliers(Workers& workers, Points x) {
     });
   });
   for (FunctionRow& row : functions_) {
-    const double v = value_of(row, problem_.bounds[row.bound].function->evaluate(x, {}));
+    const double v = value_of(row, value(row.bound, x, {}));
     row.lambda = row.equation ? row.lambda - rho_ * v : next(row.lambda, v);
   }
   for (Leash& leash : leashes_) leash.lambda = next(leash.lambda, value_of(leash, x));
@@ -447,7 +455,7 @@ Lagrangian::Violation Lagrangian::violation(Workers& workers, Points x) const {
     all.inverted += part.inverted;
   }
   for (const FunctionRow& row : functions_) {
-    const double v = value_of(row, problem_.bounds[row.bound].function->evaluate(x, {}));
+    const double v = value_of(row, value(row.bound, x, {}));
     all.greatest = std::max(all.greatest, row.equation ? std::abs(v) : -v);
   }
   for (const Leash& leash : leashes_) all.greatest = std::max(all.greatest, -value_of(leash, x));
@@ -482,7 +490,7 @@ std::vector<Lagrangian::ActiveBound> Lagrangian::active_bounds(Points x) const {
   std::vector<ActiveBound> active;
   const double weight = other_stiffness_ * typical_length_ * typical_length_;
   for (const FunctionRow& row : functions_) {
-    const double v = value_of(row, problem_.bounds[row.bound].function->evaluate(x, {}));
+    const double v = value_of(row, value(row.bound, x, {}));
     const double excess = row.equation ? std::abs(v) : std::max(0.0, -v);
     if (row.lambda == 0.0 && excess == 0.0) continue;
     active.push_back({row.bound, weight * row.sign * row.lambda / row.unit, excess * row.unit});

@@ -118,6 +118,8 @@ class Lagrangian {
 
   Slope psi(double v, double lambda) const;
   Slope psi_of_equation(double v, double lambda) const;
+  /// Of the function of a bound.
+  double value(std::size_t bound, Points x, std::span<Vec3> gradient) const;
   double value_of(const FunctionRow& row, double c) const {
     return row.sign * (c - row.value) / row.unit;
   }

@@ -12,25 +12,19 @@ namespace {
 // A function of vertices that have other numbers now.
 class RenumberedFunction : public Function {
  public:
-  RenumberedFunction(std::shared_ptr<const Function> function, std::span<const Index> number,
-                     std::span<const Index> order)
-      : function_(std::move(function)), order_(order.begin(), order.end()) {
+  RenumberedFunction(std::shared_ptr<const Function> function, std::span<const Index> number)
+      : function_(std::move(function)) {
     for (const Index v : function_->vertices()) vertices_.push_back(number[v]);
   }
   std::string_view name() const override { return function_->name(); }
   std::span<const Index> vertices() const override { return vertices_; }
-  double evaluate(Points x, std::span<Vec3> gradient) const override {
-    std::vector<Vec3> original(x.size(), Vec3::Zero());
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      original[order_[vertices_[i]]] = x[vertices_[i]];
-    }
-    return function_->evaluate(original, gradient);
+  double evaluate(Points own, std::span<Vec3> gradient) const override {
+    return function_->evaluate(own, gradient);
   }
 
  private:
   std::shared_ptr<const Function> function_;
   std::vector<Index> vertices_;
-  std::vector<Index> order_;
 };
 
 }  // namespace
@@ -63,7 +57,7 @@ std::optional<Reordered> reorder_if_poor(const Mesh& mesh, const Problem& proble
   for (const Bound& bound : problem.bounds) {
     result.problem.bounds.push_back(bound);
     result.problem.bounds.back().function =
-        std::make_shared<RenumberedFunction>(bound.function, number, result.order);
+        std::make_shared<RenumberedFunction>(bound.function, number);
   }
   if (!problem.max_move.empty()) {
     result.problem.max_move.reserve(result.order.size());
