@@ -43,6 +43,18 @@ constexpr std::string_view name(Promise promise) {
   return kNames[static_cast<int>(promise)];
 }
 
+/// How the minimiser is found.
+enum class SolverKind : std::uint8_t {
+  automatic,  // multigrid; and where that gets slow and Newton's equations are affordable, newton
+  multigrid,  // conjugate gradients preconditioned with multigrid: any size
+  newton      // Newton's method with sparse Cholesky: for small meshes, last digits, soft costs
+};
+
+constexpr std::string_view name(SolverKind kind) {
+  constexpr std::string_view kNames[] = {"automatic", "multigrid", "newton"};
+  return kNames[static_cast<int>(kind)];
+}
+
 /// One iterate of the solver.
 struct Iteration {
   int number = 0;               // 0: the input
@@ -77,6 +89,8 @@ struct Report {
   double max_move = 0.0;        // longest move, mesh length unit
   double mean_move = 0.0;       // over the vertices that moved
 
+  SolverKind solver = SolverKind::multigrid;  // that did it, or finished it: not automatic
+  int newton_steps = 0;                       // of the iterations
   int multigrid_levels = 0;
   double setup_seconds = 0.0;      // ordering, layout, preconditioner
   double setup_cpu_seconds = 0.0;  // layout and preconditioner alone, CPU time of all threads

@@ -147,6 +147,8 @@ class Smoothing {
     Report again = report_;
     again.history.clear();
     again.held = 0;
+    again.solver = SolverKind::multigrid;
+    again.newton_steps = 0;
     objective.motion() = problem_.motion;
     objective.lagrangian()->reset();
     std::vector<Vec3> x(mesh_.points().begin(), mesh_.points().end());
