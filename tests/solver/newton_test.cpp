@@ -97,7 +97,7 @@ Eigen::VectorXd random_unknowns(std::size_t count, std::uint64_t seed) {
 
 /// Compares the matrix with differences of the whole gradient, in a few random directions.
 void expect_second_derivatives(Landscape& land, Points x, const std::string& name) {
-  NewtonSystem system(land.objective);
+  NewtonSystem system(land.objective, x);
   system.assemble(land.workers, x, land.objective.motion().start(), NewtonSystem::Kind::exact);
   const ReducedMatrix& matrix = system.matrix();
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
@@ -157,7 +157,7 @@ TEST(NewtonSystem, SharesTheUnknownsOfTiedVertices) {
   Landscape land(mesh, problem);
   const std::vector<Vec3> x = copy_of(mesh.points());
   expect_second_derivatives(land, x, "tied");
-  const NewtonSystem system(land.objective);
+  const NewtonSystem system(land.objective, mesh.points());
   EXPECT_EQ(system.matrix().unknowns(), 2u * 3u * 4u);
   EXPECT_EQ(system.matrix().first(9), system.matrix().first(5));
 }
@@ -166,7 +166,7 @@ TEST(NewtonSystem, KnowsTheSizeOfTheFactor) {
   for (const auto& [name, mesh] : shapes::zoo()) {
     const Problem problem = problem_of(mesh);
     const Objective objective(mesh, problem);
-    NewtonSystem system(objective);
+    NewtonSystem system(objective, mesh.points());
     if (system.matrix().unknowns() == 0) continue;
     Workers workers;
     system.assemble(workers, mesh.points(), problem.motion.start(), NewtonSystem::Kind::clamped);
@@ -182,7 +182,7 @@ TEST(NewtonSystem, IsExactWhereItCanBeAndClampedElsewhere) {
   Mesh mesh = shapes::irregular_triangles(400);
   const Problem problem = problem_of(mesh, only("local"));
   Landscape land(mesh, problem);
-  NewtonSystem system(land.objective);
+  NewtonSystem system(land.objective, mesh.points());
   std::vector<Vec3> p(mesh.point_count());
   const auto slope_at = [&](Points x) {
     EXPECT_TRUE(system.update(land.workers, x, problem.motion.start()));
@@ -209,7 +209,7 @@ TEST(NewtonSystem, SolvesWithBoundsOnManyVertices) {
   problem.bounds.push_back(
       {std::make_shared<SumOfX>(std::vector<Index>(many.begin(), many.begin() + 60), 1), 30.0});
   Landscape land(mesh, problem);
-  NewtonSystem system(land.objective);
+  NewtonSystem system(land.objective, mesh.points());
   const std::vector<Vec3> x = copy_of(mesh.points());
   ASSERT_TRUE(system.update(land.workers, x, problem.motion.start()));
   ASSERT_EQ(system.kind(), NewtonSystem::Kind::exact);
@@ -276,7 +276,7 @@ Ring disturbed_ring() {
 // The second derivative of the cost along the path on which a retraction leads.
 void expect_second_derivatives_along_tracks(const Mesh& mesh, const Problem& problem) {
   Landscape land(mesh, problem);
-  NewtonSystem system(land.objective);
+  NewtonSystem system(land.objective, mesh.points());
   const Points x = mesh.points();
   system.assemble(land.workers, x, problem.motion.start(), NewtonSystem::Kind::exact);
   for (const std::uint64_t seed : {1u, 2u, 3u}) {

@@ -246,7 +246,7 @@ class Descent {
     const bool automatic = options_.solver == SolverKind::automatic;
     newton_refused_ = automatic && x_.size() > kMostVerticesForNewton;
     if (newton_refused_) return false;
-    newton_.emplace(objective_);
+    newton_.emplace(objective_, x_);
     newton_refused_ =
         !newton_->fits() || (automatic && newton_->operations() > kMostOperationsForNewton);
     if (newton_refused_) {

@@ -36,9 +36,9 @@ double typical_length(Points x) {
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const Objective& objective)
+NewtonSystem::NewtonSystem(const Objective& objective, Points x)
     : objective_(objective),
-      matrix_(objective.motion(), [&](const auto& visit) { visit_cliques(visit); }) {}
+      matrix_(objective.motion(), x, [&](const auto& visit) { visit_cliques(visit); }) {}
 
 bool NewtonSystem::is_small(std::size_t bound) const {
   return objective_.problem().bounds[bound].function->vertices().size() <= kFewVertices;

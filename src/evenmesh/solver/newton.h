@@ -42,7 +42,8 @@ class NewtonSystem {
 
   /// Finds out where entries will be, for vertices that may move now. The objective must outlive
   /// the object.
-  explicit NewtonSystem(const Objective& objective);
+  /// @param x  where vertices are, about
+  NewtonSystem(const Objective& objective, Points x);
 
   /// Multiplications (about) that a factorisation takes.
   double operations() const { return matrix_.factor_operations(); }

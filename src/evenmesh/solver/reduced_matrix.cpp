@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
+#include <utility>
 
 #include <Eigen/OrderingMethods>
 
@@ -22,20 +24,23 @@ int columns_of(Motion::Freedom freedom) {
   }
 }
 
-// Numbers of rows in an order in which eliminating them fills in little.
-std::vector<std::uint32_t> elimination_order(const std::vector<std::vector<std::uint32_t>>& graph) {
-  Eigen::SparseMatrix<double> pattern(static_cast<int>(graph.size()),
-                                      static_cast<int>(graph.size()));
-  Eigen::VectorXi sizes(static_cast<int>(graph.size()));
-  for (std::size_t k = 0; k < graph.size(); ++k) {
-    sizes[static_cast<int>(k)] = static_cast<int>(graph[k].size()) + 1;
+// The couplings of rows, each with all others that it is coupled to.
+using Graph = std::vector<std::vector<std::uint32_t>>;
+using Order = std::vector<std::uint32_t>;
+
+Order minimum_degree_order(const Graph& graph) {
+  const auto size = static_cast<int>(graph.size());
+  Eigen::SparseMatrix<double> pattern(size, size);
+  Eigen::VectorXi sizes(size);
+  for (int k = 0; k < size; ++k) {
+    sizes[k] = static_cast<int>(graph[static_cast<std::size_t>(k)].size()) + 1;
   }
   pattern.reserve(sizes);
-  for (std::size_t k = 0; k < graph.size(); ++k) {
-    const auto column = static_cast<int>(k);
-    pattern.insert(column, column) = 1.0;
-    for (const std::uint32_t other : graph[k])
-      pattern.insert(static_cast<int>(other), column) = 1.0;
+  for (int k = 0; k < size; ++k) {
+    pattern.insert(k, k) = 1.0;
+    for (const std::uint32_t other : graph[static_cast<std::size_t>(k)]) {
+      pattern.insert(static_cast<int>(other), k) = 1.0;
+    }
   }
   pattern.makeCompressed();
   Eigen::AMDOrdering<int>::PermutationType order;
@@ -43,9 +48,100 @@ std::vector<std::uint32_t> elimination_order(const std::vector<std::vector<std::
   return {order.indices().data(), order.indices().data() + order.indices().size()};
 }
 
+// Cuts rows in two halves by where they are, takes those of one half that are coupled to the other
+// last, and goes on with what is left of the halves. (George 1973)
+class Dissection {
+ public:
+  Dissection(const Graph& graph, Points x) : graph_(graph), x_(x), part_(graph.size(), 0) {
+    Order all(graph.size());
+    std::iota(all.begin(), all.end(), 0u);
+    order_.reserve(all.size());
+    cut(all);
+  }
+  const Order& order() const { return order_; }
+
+ private:
+  static constexpr std::size_t kSmall = 24;
+
+  void cut(std::span<std::uint32_t> rows) {
+    if (rows.size() <= kSmall) {
+      std::sort(rows.begin(), rows.end());
+      order_.insert(order_.end(), rows.begin(), rows.end());
+      return;
+    }
+    const int axis = longest_axis(rows);
+    const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
+    std::nth_element(rows.begin(), middle, rows.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(x_[a][axis], a) < std::pair(x_[b][axis], b);
+    });
+    const std::uint32_t other = ++parts_;
+    for (auto row = middle; row != rows.end(); ++row) part_[*row] = other;
+    const auto border = std::partition(rows.begin(), middle, [&](std::uint32_t row) {
+      return std::none_of(graph_[row].begin(), graph_[row].end(),
+                          [&](std::uint32_t neighbour) { return part_[neighbour] == other; });
+    });
+    const Order between(border, middle);
+    cut({rows.begin(), border});
+    cut({middle, rows.end()});
+    order_.insert(order_.end(), between.begin(), between.end());
+  }
+
+  int longest_axis(std::span<const std::uint32_t> rows) const {
+    Vec3 low = x_[rows[0]];
+    Vec3 high = low;
+    for (const std::uint32_t row : rows) {
+      low = low.cwiseMin(x_[row]);
+      high = high.cwiseMax(x_[row]);
+    }
+    int axis = 0;
+    (high - low).maxCoeff(&axis);
+    return axis;
+  }
+
+  const Graph& graph_;
+  Points x_;
+  std::vector<std::uint32_t> part_;  // per row: the last second half that it was in
+  std::uint32_t parts_ = 0;
+  Order order_;
+};
+
+struct FactorSize {
+  double entries = 0.0;
+  double operations = 0.0;
+};
+
+// Follows the columns of the factor up the elimination tree. (Davis 2006, section 4.4)
+FactorSize size_of_factor(const Graph& graph, const Order& order,
+                          std::span<const std::uint8_t> unknowns) {
+  constexpr std::uint32_t kNone = ~0u;
+  std::vector<std::uint32_t> place(graph.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
+  std::vector<std::uint32_t> parent(graph.size(), kNone);
+  std::vector<std::uint32_t> mark(graph.size(), kNone);
+  std::vector<double> below(graph.size(), 0.0);
+  for (const std::uint32_t row : order) {
+    mark[row] = row;
+    for (std::uint32_t column : graph[row]) {
+      if (place[column] > place[row]) continue;
+      for (; mark[column] != row; column = parent[column]) {
+        if (parent[column] == kNone) parent[column] = row;
+        below[column] += unknowns[row];
+        mark[column] = row;
+      }
+    }
+  }
+  FactorSize size;
+  for (std::size_t k = 0; k < graph.size(); ++k) {
+    const double column = below[k] + 0.5 * (unknowns[k] + 1);
+    size.entries += unknowns[k] * column;
+    size.operations += unknowns[k] * column * column;
+  }
+  return size;
+}
+
 }  // namespace
 
-ReducedMatrix::ReducedMatrix(const Motion& motion, const Cliques& cliques)
+ReducedMatrix::ReducedMatrix(const Motion& motion, Points x, const Cliques& cliques)
     : first_(motion.size(), kNone), count_(motion.size(), 0) {
   for (Index v = 0; v < motion.size(); ++v) {
     count_[v] = static_cast<std::uint8_t>(columns_of(motion.freedom(motion.leader(v))));
@@ -66,22 +162,37 @@ ReducedMatrix::ReducedMatrix(const Motion& motion, const Cliques& cliques)
     std::sort(others.begin(), others.end());
     others.erase(std::unique(others.begin(), others.end()), others.end());
   }
-  number(motion, coupled);
+  number(motion, x, coupled);
   set_up_pattern(coupled);
 }
 
-void ReducedMatrix::number(const Motion& motion, const std::vector<std::vector<Index>>& coupled) {
+void ReducedMatrix::number(const Motion& motion, Points x,
+                           const std::vector<std::vector<Index>>& coupled) {
   std::vector<std::uint32_t> place(motion.size(), 0);
+  std::vector<Vec3> at;
+  std::vector<std::uint8_t> unknowns;
   for (std::size_t k = 0; k < leaders_.size(); ++k) {
     place[leaders_[k]] = static_cast<std::uint32_t>(k);
+    at.push_back(x[leaders_[k]]);
+    unknowns.push_back(count_[leaders_[k]]);
   }
-  std::vector<std::vector<std::uint32_t>> graph(leaders_.size());
+  Graph graph(leaders_.size());
   for (std::size_t k = 0; k < leaders_.size(); ++k) {
     for (const Index other : coupled[leaders_[k]]) graph[k].push_back(place[other]);
   }
+  Order order = minimum_degree_order(graph);
+  FactorSize size = size_of_factor(graph, order, unknowns);
+  const Dissection dissection(graph, at);
+  const FactorSize other = size_of_factor(graph, dissection.order(), unknowns);
+  if (other.operations < size.operations) {
+    order = dissection.order();
+    size = other;
+  }
+  factor_entries_ = size.entries;
+  factor_operations_ = size.operations;
   std::vector<Index> ordered;
   ordered.reserve(leaders_.size());
-  for (const std::uint32_t k : elimination_order(graph)) ordered.push_back(leaders_[k]);
+  for (const std::uint32_t k : order) ordered.push_back(leaders_[k]);
   leaders_ = std::move(ordered);
   for (const Index v : leaders_) {
     first_[v] = static_cast<std::uint32_t>(vertex_.size());
@@ -111,30 +222,14 @@ void ReducedMatrix::set_up_pattern(const std::vector<std::vector<Index>>& couple
   const auto size = static_cast<int>(unknowns());
   matrix_.resize(size, size);
   int* const start = matrix_.outerIndexPtr();
-  // Columns of the elimination tree, a vertex at a time. (Davis 2006, section 4.4)
-  std::vector<std::uint32_t> parent(first_.size(), kNone);
-  std::vector<std::uint32_t> mark(first_.size(), kNone);
-  std::vector<double> entries(first_.size(), 0.0);
   for (const Index v : leaders_) {
-    mark[v] = v;
     std::uint32_t above = 0;
     for (std::uint32_t n = neighbour_[v]; n < neighbour_[v + 1]; ++n) {
-      Index other = vertex_[neighbours_[n].first];
-      above += count_[other];
-      for (; mark[other] != v; other = parent[other]) {
-        if (parent[other] == kNone) parent[other] = v;
-        entries[other] += count_[v];
-        mark[other] = v;
-      }
+      above += count_[vertex_[neighbours_[n].first]];
     }
     for (std::uint32_t c = 0; c < count_[v]; ++c) {
       start[first_[v] + c + 1] = start[first_[v] + c] + static_cast<int>(above + c + 1);
     }
-  }
-  for (const Index v : leaders_) {
-    const double column = entries[v] + 0.5 * (count_[v] + 1);
-    factor_entries_ += count_[v] * column;
-    factor_operations_ += count_[v] * column * column;
   }
   matrix_.resizeNonZeros(start[size]);
   int* row = matrix_.innerIndexPtr();

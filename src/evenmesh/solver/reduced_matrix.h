@@ -21,7 +21,8 @@ namespace evenmesh {
 ///
 /// A vertex has as many unknowns, one after the other, as it has directions to move in; one that is
 /// tied to another shares the other's. They are numbered so that a Cholesky factor of the matrix
-/// has few entries (approximate minimum degree, over vertices).
+/// is found in few operations: by approximate minimum degree or by nested dissection of space,
+/// whichever takes fewer.
 class ReducedMatrix {
  public:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -29,7 +30,8 @@ class ReducedMatrix {
   /// Says which entries there are: those of every set of vertices that it visits, each with each.
   using Cliques = std::function<void(const std::function<void(std::span<const Index>)>& visit)>;
 
-  ReducedMatrix(const Motion& motion, const Cliques& cliques);
+  /// @param x  where vertices are, about; decides on the numbers of the unknowns
+  ReducedMatrix(const Motion& motion, Points x, const Cliques& cliques);
 
   std::size_t unknowns() const { return vertex_.size(); }
   /// Entries of the Cholesky factor, and multiplications (about) that it takes to find them.
@@ -80,7 +82,7 @@ class ReducedMatrix {
     std::uint32_t place;
   };
 
-  void number(const Motion& motion, const std::vector<std::vector<Index>>& coupled);
+  void number(const Motion& motion, Points x, const std::vector<std::vector<Index>>& coupled);
   void set_up_pattern(const std::vector<std::vector<Index>>& coupled);
   double* entries(std::uint32_t row_first, Index column_vertex, std::uint32_t column);
 
