@@ -27,7 +27,7 @@ constexpr double kInnerFall = 0.1;  // of the gradient before multipliers are wo
 constexpr int kStepsBetweenLooks = 30;
 constexpr std::size_t kWindow = 30;  // iterations from which the rate of convergence is told
 constexpr std::size_t kMostVerticesForNewton = 100000;  // unless it was asked for
-constexpr double kMostOperationsForNewton = 3e10;       // of a factorisation
+constexpr double kMostOperationsForNewton = 1e10;       // of a factorisation
 
 class Descent {
  public:
