@@ -173,6 +173,7 @@ TEST(NewtonSystem, KnowsTheSizeOfTheFactor) {
     const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Upper,
                                Eigen::NaturalOrdering<int>>
         factor(system.matrix().upper());
+    ASSERT_EQ(factor.info(), Eigen::Success) << name;
     const Eigen::SparseMatrix<double> L = factor.matrixL();
     EXPECT_EQ(system.matrix().factor_entries(), static_cast<double>(L.nonZeros())) << name;
   }
@@ -420,6 +421,19 @@ TEST(Newton, GetsByWithSpringsInHugePolygons) {
   const Report slow = smooth_with(SolverKind::multigrid, other, problem, 1e-6);
   EXPECT_EQ(report.stop, Stop::converged);
   EXPECT_NEAR(report.cost_after, slow.cost_after, 1e-8 * slow.cost_after);
+}
+
+TEST(Newton, ConvergesOnEveryMesh) {
+  for (auto& [name, mesh] : shapes::zoo()) {
+    mesh = testing_setup::with_points(mesh, displaced(mesh, problem_of(mesh).motion, 0.03, 11));
+    const Problem problem = problem_of(mesh);
+    Mesh other = mesh;
+    const Report report = smooth_with(SolverKind::newton, mesh, problem, 1e-6, 60);
+    const Report slow = smooth_with(SolverKind::multigrid, other, problem, 1e-6);
+    EXPECT_EQ(report.stop, slow.stop) << name;
+    EXPECT_LE(report.history.size(), slow.history.size() + 5) << name;
+    EXPECT_LE(report.cost_after, 1.001 * slow.cost_after + 1e-9 * slow.cost_before) << name;
+  }
 }
 
 TEST(Newton, FinishesWhatMultigridWouldNot) {

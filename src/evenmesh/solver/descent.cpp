@@ -212,8 +212,7 @@ class Descent {
     if (newton_) {
       trial_ = 1.0;
       if (!newton_->update(workers_, x_, places_)) {
-        std::fill(p_.begin(), p_.end(),
-                  Vec3::Zero());  // no direction at all: step() knows what to do
+        std::fill(p_.begin(), p_.end(), Vec3::Zero());  // none: step() goes along -M g
         return;
       }
       newton_->solve(g_, p_);
@@ -272,9 +271,9 @@ class Descent {
 
   void note_slowness() {
     const std::size_t n = report_.history.size();
-    if (options_.solver == SolverKind::automatic && inverted_ == 0 && will_run_out()) {
-      turn_to_newton();
-    }
+    const bool automatic = options_.solver == SolverKind::automatic;
+    if (automatic && inverted_ == 0 && will_run_out()) turn_to_newton();
+    if (newton_) return;
     if (lbfgs_on_ || n <= slow_since_ + kSlowAfter) return;
     if (report_.history.back().gradient > 0.1 * report_.history[n - 1 - kSlowAfter].gradient) {
       lbfgs_on_ = true;
