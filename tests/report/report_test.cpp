@@ -60,6 +60,7 @@ TEST(RunReport, OfASuccessMatchesTheSchemaAndTheRun) {
   EXPECT_EQ(report["exit_code"], 0);
   EXPECT_EQ(report["stop_reason"], "converged");
   EXPECT_EQ(report["promise"], name(record.report.promise));
+  EXPECT_EQ(report["solver"], "multigrid");
   EXPECT_EQ(report["output"], "out.obj");
   EXPECT_EQ(report["input"]["cells"], json({{"triangle", 72}}));
   EXPECT_EQ(report["input"]["type"], "planar");

@@ -94,6 +94,7 @@ std::string to_json(const RunRecord& record) {
       {"options", options},
       {"stop_reason", failed ? Json(nullptr) : Json(name(report.stop))},
       {"promise", failed ? Json(nullptr) : Json(name(report.promise))},
+      {"solver", failed ? Json(nullptr) : Json(name(report.solver))},
       {"iterations", iterations},
       {"cost_before", report.cost_before},
       {"cost_after", report.cost_after},

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "evenmesh/base/timer.h"
 #include "evenmesh/solver/direction.h"
+#include "evenmesh/solver/newton.h"
 #include "evenmesh/solver/vectors.h"
 
 namespace evenmesh {
@@ -23,6 +25,9 @@ constexpr int kFailuresBeforeLbfgs = 2;
 constexpr int kSlowAfter = 100;     // iterations in which the gradient should fall tenfold
 constexpr double kInnerFall = 0.1;  // of the gradient before multipliers are worth updating
 constexpr int kStepsBetweenLooks = 30;
+constexpr std::size_t kWindow = 30;  // iterations from which the rate of convergence is told
+constexpr std::size_t kMostVerticesForNewton = 100000;  // unless it was asked for
+constexpr double kMostOperationsForNewton = 1e10;       // of a factorisation
 
 class Descent {
  public:
@@ -66,6 +71,7 @@ class Descent {
       return;
     }
     inner_target_ = kInnerFall * norm();
+    if (options_.solver == SolverKind::newton) turn_to_newton();
     for (int i = 1;; ++i) {
       if (observe_ && !observe_(x_)) return;
       const bool go_on = !options_.progress || options_.progress(report_.history.back());
@@ -82,7 +88,7 @@ class Descent {
         return;
       }
       if (i > options_.max_iterations) return;
-      if (!step() && !change_function(true)) {
+      if (!step() && !change_function(true) && !turn_to_newton()) {
         report_.stop = Stop::no_descent;
         return;
       }
@@ -206,6 +212,16 @@ class Descent {
   }
 
   void choose_direction() {
+    if (newton_) {
+      trial_ = 1.0;
+      if (!newton_->update(workers_, x_, places_)) {
+        std::fill(p_.begin(), p_.end(), Vec3::Zero());  // none: step() goes along -M g
+        return;
+      }
+      newton_->solve(g_, p_);
+      ++report_.newton_steps;
+      return;
+    }
     if (!lbfgs_on_) {
       conjugate_.next(workers_, g_, g_new_, z_, p_);
       if (!objective_.motion().slots().empty()) project(p_);  // directions turn along tracks
@@ -226,8 +242,41 @@ class Descent {
     if (++failures_ >= kFailuresBeforeLbfgs) lbfgs_on_ = true;
   }
 
+  // Newton's directions from here on; false if they are in use, not wanted or not affordable.
+  bool turn_to_newton() {
+    if (newton_ || options_.solver == SolverKind::multigrid || newton_refused_) return false;
+    const bool automatic = options_.solver == SolverKind::automatic;
+    newton_refused_ = automatic && x_.size() > kMostVerticesForNewton;
+    if (newton_refused_) return false;
+    newton_.emplace(objective_, x_);
+    newton_refused_ =
+        !newton_->fits() || (automatic && newton_->operations() > kMostOperationsForNewton);
+    if (newton_refused_) {
+      newton_.reset();
+      return false;
+    }
+    report_.solver = SolverKind::newton;
+    return true;
+  }
+
+  // True if at the rate of the last iterations those that are left are not enough.
+  bool will_run_out() {
+    const std::size_t n = report_.history.size();
+    if (n <= kWindow) return false;
+    const double left = options_.max_iterations - static_cast<double>(n - 1);
+    // Where the function changes on the way there is no rate to speak of.
+    if (n <= slow_since_ + kWindow) return left < 0.25 * options_.max_iterations;
+    const double fall =
+        std::log(report_.history[n - 1 - kWindow].gradient / report_.history.back().gradient);
+    const double wanted = std::log(norm() / (options_.tolerance * start_));
+    return wanted * static_cast<double>(kWindow) > left * fall;
+  }
+
   void note_slowness() {
     const std::size_t n = report_.history.size();
+    const bool automatic = options_.solver == SolverKind::automatic;
+    if (automatic && inverted_ == 0 && will_run_out()) turn_to_newton();
+    if (newton_) return;
     if (lbfgs_on_ || n <= slow_since_ + kSlowAfter) return;
     if (report_.history.back().gradient > 0.1 * report_.history[n - 1 - kSlowAfter].gradient) {
       lbfgs_on_ = true;
@@ -406,6 +455,8 @@ class Descent {
   bool lbfgs_on_ = false;
   ConjugateGradients conjugate_;
   Lbfgs lbfgs_;
+  std::optional<NewtonSystem> newton_;
+  bool newton_refused_ = false;
 };
 
 }  // namespace

@@ -17,7 +17,13 @@ namespace evenmesh {
 /// Minimises an objective from x, in place: nonlinear conjugate gradients (Polak and Ribiere, PR+)
 /// preconditioned with multigrid, a secant line search, steps shortened where a cell would turn
 /// over. Where conjugate gradients fail to descend, L-BFGS with the same preconditioner takes over.
-/// Fills in the report's stop, history and held.
+///
+/// With Options::solver newton the directions are Newton's instead, and all else is the same; with
+/// automatic they are where conjugate gradients stall or are about to use up their iterations,
+/// if a factorisation is a matter of seconds. newton too does without where not even the indices of
+/// a factor fit.
+///
+/// Fills in the report's stop, history, held, solver and newton_steps.
 /// @param observe  called with every iterate, the first included; returns false to stop there
 ///
 /// The cost never rises from one iterate to the next (beyond rounding), so the last is the best.

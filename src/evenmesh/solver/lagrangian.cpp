@@ -283,17 +283,23 @@ void Lagrangian::set_up_functions() {
 Lagrangian::Slope Lagrangian::psi(double v, double lambda) const {
   if (mode_ == Mode::multipliers) {
     const double force = lambda - rho_ * (v - kMargin);
-    if (force <= 0.0) return {-lambda * lambda / (2.0 * rho_), 0.0};
-    return {(force * force - lambda * lambda) / (2.0 * rho_), -force};
+    if (force <= 0.0) return {-lambda * lambda / (2.0 * rho_), 0.0, 0.0};
+    return {(force * force - lambda * lambda) / (2.0 * rho_), -force, rho_};
   }
   const double root = std::sqrt(v * v + 4.0 * delta_ * delta_);
   // root - v without cancellation.
   const double gap = v > 0.0 ? 4.0 * delta_ * delta_ / (root + v) : root - v;
-  return {0.5 * mu_ * gap, -0.5 * mu_ * gap / root};
+  const double bend = 4.0 * delta_ * delta_ / (root * root * root);
+  return {0.5 * mu_ * gap, -0.5 * mu_ * gap / root, 0.5 * mu_ * bend};
 }
 
 Lagrangian::Slope Lagrangian::psi_of_equation(double v, double lambda) const {
-  return {(0.5 * rho_ * v - lambda) * v, rho_ * v - lambda};
+  return {(0.5 * rho_ * v - lambda) * v, rho_ * v - lambda, rho_};
+}
+
+Lagrangian::Slope Lagrangian::psi_of(const FunctionRow& row, double c) const {
+  const double v = value_of(row, c);
+  return row.equation ? psi_of_equation(v, row.lambda) : psi(v, row.lambda);
 }
 
 double Lagrangian::value_of(const Leash& leash, Points x) const {
@@ -321,12 +327,11 @@ double Lagrangian::value(std::size_t bound, Points x, std::span<Vec3> gradient) 
 double Lagrangian::evaluate_others(Points x, std::span<Vec3> gradient) const {
   double sum = 0.0;
   std::vector<Vec3> part;
-  const double weight = other_stiffness_ * typical_length_ * typical_length_;
+  const double weight = weight_of_functions();
   for (const FunctionRow& row : functions_) {
     const Function& function = *problem_.bounds[row.bound].function;
     part.assign(gradient.empty() ? 0 : function.vertices().size(), Vec3::Zero());
-    const double v = value_of(row, value(row.bound, x, part));
-    const Slope slope = row.equation ? psi_of_equation(v, row.lambda) : psi(v, row.lambda);
+    const Slope slope = psi_of(row, value(row.bound, x, part));
     sum += weight * slope.value;
     if (slope.derivative == 0.0) continue;
     const double factor = weight * slope.derivative * row.sign / row.unit;
@@ -343,6 +348,43 @@ double Lagrangian::evaluate_others(Points x, std::span<Vec3> gradient) const {
     gradient[leash.vertex] -= 2.0 * other_stiffness_ * slope.derivative * move;
   }
   return sum;
+}
+
+// ---- second derivatives
+// --------------------------------------------------------------------------
+
+double Lagrangian::evaluate_bound(std::size_t bound, Points own, std::span<Vec3> gradient) const {
+  const double c = problem_.bounds[bound].function->evaluate(own, gradient);
+  double sum = 0.0;
+  double factor = 0.0;
+  for (const FunctionRow& row : functions_) {
+    if (row.bound != bound) continue;
+    const Slope slope = psi_of(row, c);
+    sum += weight_of_functions() * slope.value;
+    factor += weight_of_functions() * slope.derivative * row.sign / row.unit;
+  }
+  for (Vec3& g : gradient) g *= factor;
+  return sum;
+}
+
+double Lagrangian::curvature_of_bound(std::size_t bound, Points own, std::span<Vec3> slope) const {
+  const double c = problem_.bounds[bound].function->evaluate(own, slope);
+  double factor = 0.0;
+  for (const FunctionRow& row : functions_) {
+    if (row.bound != bound) continue;
+    factor += weight_of_functions() * psi_of(row, c).curvature / (row.unit * row.unit);
+  }
+  return factor;
+}
+
+void Lagrangian::for_leashes(Points x,
+                             const std::function<void(Index, const Eigen::Matrix3d&)>& body) const {
+  for (const Leash& leash : leashes_) {
+    const Slope slope = psi(value_of(leash, x), leash.lambda);
+    const Vec3 part = (x[leash.vertex] - input_.points()[leash.vertex]) / leash.length;
+    body(leash.vertex, 4.0 * other_stiffness_ * slope.curvature * part * part.transpose() -
+                           2.0 * other_stiffness_ * slope.derivative * Eigen::Matrix3d::Identity());
+  }
 }
 
 // ---- the schedule
@@ -480,7 +522,7 @@ std::vector<ActiveCell> Lagrangian::active_cells(Workers& workers, Points x) con
 
 std::vector<ActiveBound> Lagrangian::active_bounds(Points x) const {
   std::vector<ActiveBound> active;
-  const double weight = other_stiffness_ * typical_length_ * typical_length_;
+  const double weight = weight_of_functions();
   for (const FunctionRow& row : functions_) {
     const double v = value_of(row, value(row.bound, x, {}));
     double excess = row.equation ? std::abs(v) : -v;

@@ -3,8 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "evenmesh/base/parallel.h"
 #include "evenmesh/base/vec3.h"
@@ -44,6 +47,19 @@ class Lagrangian {
   double evaluate(const Layout::Block& block, Points x, std::span<Vec3> gradient) const;
   /// All other rows.
   double evaluate_others(Points x, std::span<Vec3> gradient) const;
+
+  // ---- second derivatives of the rows that are no cell's ----------------------------------------
+
+  /// What a bound on a function c of Problem::bounds adds, as a function of the positions `own` of
+  /// the vertices of c, in their order.
+  /// @param[out] gradient  one vector per vertex of c; or empty
+  double evaluate_bound(std::size_t bound, Points own, std::span<Vec3> gradient) const;
+  /// The greater part of the second derivatives of that: factor * slope slope^T.
+  /// @param[out] slope  of c, one vector per vertex of c
+  double curvature_of_bound(std::size_t bound, Points own, std::span<Vec3> slope) const;
+  /// The second derivatives of what a limited move adds are a matrix over its vertex: calls
+  /// body(vertex, matrix) for each.
+  void for_leashes(Points x, const std::function<void(Index, const Eigen::Matrix3d&)>& body) const;
 
   // ---- the schedule -----------------------------------------------------------------------------
 
@@ -99,6 +115,7 @@ class Lagrangian {
   struct Slope {
     double value;
     double derivative;
+    double curvature;  // second derivative
   };
 
   void set_up_scales(Workers& workers);
@@ -110,6 +127,10 @@ class Lagrangian {
   Slope psi_of_equation(double v, double lambda) const;
   /// Of the function of a bound.
   double value(std::size_t bound, Points x, std::span<Vec3> gradient) const;
+  Slope psi_of(const FunctionRow& row, double c) const;
+  double weight_of_functions() const {
+    return other_stiffness_ * typical_length_ * typical_length_;
+  }
   double value_of(const FunctionRow& row, double c) const {
     return row.sign * (c - row.value) / row.unit;
   }

@@ -27,7 +27,9 @@ class Objective {
   void constrain(Workers& workers, const Mesh& mesh);
   /// Null before constrain().
   Lagrangian* lagrangian() { return lagrangian_ ? &*lagrangian_ : nullptr; }
+  const Lagrangian* lagrangian() const { return lagrangian_ ? &*lagrangian_ : nullptr; }
 
+  const Problem& problem() const { return problem_; }
   const Layout& layout() const { return layout_; }
   std::size_t size() const { return motion_.size(); }
   const Motion& motion() const { return motion_; }

@@ -43,6 +43,18 @@ constexpr std::string_view name(Promise promise) {
   return kNames[static_cast<int>(promise)];
 }
 
+/// How the minimiser is found.
+enum class SolverKind : std::uint8_t {
+  automatic,  // multigrid; and where that gets slow and Newton's equations are affordable, newton
+  multigrid,  // conjugate gradients preconditioned with multigrid: any size
+  newton      // Newton's method with sparse Cholesky: for small meshes, last digits, soft costs
+};
+
+constexpr std::string_view name(SolverKind kind) {
+  constexpr std::string_view kNames[] = {"automatic", "multigrid", "newton"};
+  return kNames[static_cast<int>(kind)];
+}
+
 /// One iterate of the solver.
 struct Iteration {
   int number = 0;               // 0: the input
@@ -104,6 +116,9 @@ struct Report {
   std::size_t pulled_back = 0;  // vertices pulled back so that nothing is worse than before
   double max_move = 0.0;        // longest move, mesh length unit
   double mean_move = 0.0;       // over the vertices that moved
+
+  SolverKind solver = SolverKind::multigrid;  // that did it, or finished it: not automatic
+  int newton_steps = 0;                       // of the iterations
 
   double deviation = 0.0;  // of the shape from the input's, both ways, where it was measured
   std::size_t unmet = 0;   // demands on cells, moves and functions that are not met

@@ -202,6 +202,8 @@ class Smoothing {
     Report again = report_;
     again.history.clear();
     again.held = 0;
+    again.solver = SolverKind::multigrid;
+    again.newton_steps = 0;
     objective.motion() = problem_.motion;
     objective.lagrangian()->reset(workers_, mesh_.points());
     std::vector<Vec3> x(mesh_.points().begin(), mesh_.points().end());

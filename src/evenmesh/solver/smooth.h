@@ -10,6 +10,7 @@
 namespace evenmesh {
 
 struct Options {
+  SolverKind solver = SolverKind::automatic;
   /// Stop when the gradient, in the preconditioner's norm and relative to the start, is at most
   /// this. 1e-4 is final to the eye. In (0, 1).
   double tolerance = 1e-6;
@@ -30,7 +31,7 @@ struct Options {
 void check(const Options& options);
 
 /// Moves the vertices of a mesh to where the problem's cost is least, by a nonlinear conjugate
-/// gradient method preconditioned with multigrid.
+/// gradient method preconditioned with multigrid, or by Newton's method (Options::solver).
 ///
 /// Afterwards, in comparison with the input:
 /// - vertices that the problem fixes have the same bits,
