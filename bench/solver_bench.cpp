@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: solver_bench CASE VERTICES [THREADS [REPEATS]]
+// usage: solver_bench CASE VERTICES [THREADS [REPEATS [LEAST fixed|slide]]]
 //
 // Smooths one mesh of the benchmarks until the gradient has fallen to a millionth and prints one
-// JSON object: iterations, seconds, memory. Peak memory belongs to the process, so tools/bench.py
-// starts it afresh for every case. Times are medians over the repeats.
+// JSON object: iterations, seconds, memory. With LEAST no triangle may have less than that part of
+// the mean area (none: no limit), and boundary vertices are fixed or slide on the unit circle. Peak
+// memory belongs to the process, so tools/bench.py starts it afresh for every case. Times are
+// medians over the repeats.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -68,7 +70,29 @@ void smooth_and_watch(Mesh& mesh, const Problem& problem, int threads, Run& run)
   run.wall = timer.seconds() - run.beyond_wall;
 }
 
-Run run_once(const Mesh& original, int threads) {
+// What is demanded besides a small gradient.
+struct Demand {
+  bool any = false;
+  Limits limits;
+};
+
+Run run_limited(const Mesh& original, int threads, const Limits& limits) {
+  Run run;
+  Mesh mesh = original;
+  Problem problem;
+  run.problem = cpu_of([&] { problem = make_limited_problem(mesh, limits); });
+  const Timer timer;
+  run.smooth = cpu_of([&] {
+    run.report = smooth(
+        mesh, problem,
+        {.tolerance = kSmall, .max_iterations = 500, .threads = threads, .allow_worse = true});
+  });
+  run.wall = timer.seconds();
+  return run;
+}
+
+Run run_once(const Mesh& original, int threads, const Demand& demand) {
+  if (demand.any) return run_limited(original, threads, demand.limits);
   Run run;
   Mesh mesh = original;
   Orientation orientation;
@@ -171,12 +195,16 @@ nlohmann::json measure_evaluation(const Mesh& mesh) {
           {"value", sum / kRounds}};
 }
 
-nlohmann::json measure(const std::string& name, std::size_t vertices, int threads, int repeats) {
+nlohmann::json measure(const std::string& name, std::size_t vertices, int threads, int repeats,
+                       Demand demand) {
   const Mesh mesh = make_case_mesh(name, vertices);
+  if (demand.limits.least_area > 0.0) {
+    demand.limits.least_area *= mean_area(make_case_mesh(valid_case(name), vertices));
+  }
   const std::uint64_t peak_before = peak_memory_bytes();
-  std::vector<Run> runs{run_once(mesh, threads)};
+  std::vector<Run> runs{run_once(mesh, threads, demand)};
   const std::uint64_t peak = peak_memory_bytes();
-  for (int i = 1; i < repeats; ++i) runs.push_back(run_once(mesh, threads));
+  for (int i = 1; i < repeats; ++i) runs.push_back(run_once(mesh, threads, demand));
 
   nlohmann::json result = describe(runs);
   result["case"] = name;
@@ -185,6 +213,16 @@ nlohmann::json measure(const std::string& name, std::size_t vertices, int thread
   result["peak_memory_bytes"] = peak;
   result["peak_memory_before_bytes"] = peak_before;
   result["bytes_per_vertex"] = static_cast<double>(peak) / static_cast<double>(mesh.point_count());
+  if (demand.any) {
+    const Report& report = runs.front().report;
+    result["iterations"] = report.history.back().number;
+    result["iterations_until_valid"] =
+        first_iterate(report, [](auto& i) { return i.inverted == 0; });
+    result["cost"] = report.cost_after;
+    result["solver"] = evenmesh::name(report.solver);
+    result["unmet"] = report.unmet;
+    return result;
+  }
   if (threads == 1 && name != "triangles_shuffled") result["evaluation"] = measure_evaluation(mesh);
   return result;
 }
@@ -193,15 +231,22 @@ nlohmann::json measure(const std::string& name, std::size_t vertices, int thread
 }  // namespace evenmesh::bench
 
 int main(int argc, char** argv) {
-  if (argc < 3 || argc > 5) {
-    std::fputs("usage: solver_bench CASE VERTICES [THREADS [REPEATS]]\n", stderr);
+  if (argc < 3 || argc == 6 || argc > 7) {
+    std::fputs("usage: solver_bench CASE VERTICES [THREADS [REPEATS [LEAST fixed|slide]]]\n",
+               stderr);
     return 2;
   }
   try {
     const int threads = argc > 3 ? std::atoi(argv[3]) : 1;
     const int repeats = argc > 4 ? std::max(1, std::atoi(argv[4])) : 1;
     const auto vertices = static_cast<std::size_t>(std::strtoull(argv[2], nullptr, 10));
-    std::puts(evenmesh::bench::measure(argv[1], vertices, threads, repeats).dump().c_str());
+    evenmesh::bench::Demand demand;
+    if (argc == 7) {
+      demand.any = true;
+      demand.limits.least_area = std::atof(argv[5]);  // "none" is 0
+      demand.limits.slide = std::strcmp(argv[6], "slide") == 0;
+    }
+    std::puts(evenmesh::bench::measure(argv[1], vertices, threads, repeats, demand).dump().c_str());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "solver_bench: %s\n", error.what());
     return 1;

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 
 #include "evenmesh/base/error.h"
+#include "evenmesh/constraint/validity.h"
+#include "evenmesh/geometry/analytic_tracks.h"
 #include "evenmesh/mesh/topology.h"
 #include "tests/support/shapes.h"
 
@@ -58,6 +61,33 @@ Problem make_case_problem(const Mesh& mesh) {
   Orientation orientation = find_orientation(mesh);
   const std::vector<char> fixed = boundary_of(mesh, orientation);
   return make_problem(mesh, std::move(orientation), fixed);
+}
+
+std::string_view valid_case(std::string_view name) {
+  if (name == "tangled") return "triangles";
+  return name == "disk_tangled" ? "disk" : name;
+}
+
+double mean_area(const Mesh& triangles) {
+  return mean_size(triangles, find_orientation(triangles));
+}
+
+Problem make_limited_problem(const Mesh& mesh, const Limits& limits) {
+  Orientation orientation = find_orientation(mesh);
+  const std::vector<char> boundary = boundary_of(mesh, orientation);
+  ProblemOptions options;
+  options.costs = {{"local", 1.0}};
+  Problem problem = make_problem(mesh, std::move(orientation), boundary, options);
+  problem.validity.demanded = limits.least_area > 0.0;
+  problem.validity.min_size = limits.least_area;
+  if (!limits.slide) return problem;
+  const auto circle = std::make_shared<CircleTrack>(Vec3::Zero(), Vec3::UnitZ(), 1.0);
+  for (Index v = 0; v < mesh.point_count(); ++v) {
+    if (!boundary[v]) continue;
+    const TrackPoint here{mesh.points()[v], Vec3::Zero(), 0};
+    problem.motion.put_on_track(v, circle, circle->nearest(here.position, here));
+  }
+  return problem;
 }
 
 double median(std::vector<double> values) {

@@ -31,6 +31,20 @@ std::vector<char> boundary_of(const Mesh& mesh, const Orientation& orientation);
 /// The default costs: `local` for triangles, .3 local + .3 barycenter for quads; boundary fixed.
 Problem make_case_problem(const Mesh& mesh);
 
+/// The case that a tangled one was before noise was added; itself if it is not tangled.
+std::string_view valid_case(std::string_view name);
+
+/// Demands of the cases with limits.
+struct Limits {
+  double least_area = 0.0;  // of every triangle; 0: no limit, and none on inversion either
+  bool slide = false;       // boundary vertices on the unit circle; else they are fixed
+};
+
+double mean_area(const Mesh& triangles);
+
+/// The cost `local` under limits.
+Problem make_limited_problem(const Mesh& mesh, const Limits& limits);
+
 /// The middle of the values by size.
 /// @pre  not empty
 double median(std::vector<double> values);
