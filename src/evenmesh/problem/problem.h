@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,6 +23,13 @@ struct Term {
   std::shared_ptr<const Cost> cost;
 };
 
+/// Where a vertex is to be brought before the rest is optimised: it was prescribed, or it is to
+/// slide on something that it is not on yet. Motion says whether it stays there.
+struct Target {
+  Index vertex = 0;
+  Vec3 position = Vec3::Zero();
+};
+
 /// What to minimise and under which constraints:  f(x) = sum over terms of weight * cost(x)  over
 /// the positions that `motion` allows and at which all demands are met.
 struct Problem {
@@ -33,6 +41,10 @@ struct Problem {
   Validity validity;
   std::vector<Bound> bounds;     // functions kept equal to a value or within an interval
   std::vector<double> max_move;  // per vertex, mesh length unit, may be infinite; empty: no limits
+  /// How far vertices on curves and surfaces of the input, and the edges and faces between them,
+  /// may be from these; mesh length unit.
+  double max_deviation = std::numeric_limits<double>::infinity();
+  std::vector<Target> targets;  // by increasing vertex, each once
 };
 
 /// A cost by name with its weight, as in `--cost local=0.3,barycenter=0.3`.
