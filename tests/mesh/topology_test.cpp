@@ -48,6 +48,7 @@ void expect_same_counts(const Topology& a, const Topology& b, const std::string&
   EXPECT_EQ(a.feature_sides, b.feature_sides) << name;
   EXPECT_EQ(a.interface_sides, b.interface_sides) << name;
   EXPECT_EQ(a.components, b.components) << name;
+  EXPECT_EQ(a.curves.size(), b.curves.size()) << name;
 }
 
 TEST(Topology, OfAPlanarGridIsItsFourStraightSides) {
@@ -206,6 +207,26 @@ TEST(Topology, OfAHexagonPatchHasTheKnownBoundary) {
   const Topology t = topology_of(mesh, 90.0);
   EXPECT_EQ(t.boundary_sides, 2 * (mesh.point_count() + 25 - 1) - 6 * 25);
   EXPECT_EQ(t.boundary_sides, count(t.boundary));
+}
+
+TEST(Topology, KeepsTheEdgesOfItsCurves) {
+  const auto is_on_curve = [](const Topology& t, Index v) {
+    return t.boundary[v] || t.features[v] || t.non_manifold[v] || t.interface[v];
+  };
+  for (const auto& [name, mesh] : shapes::zoo()) {
+    const Topology t = topology_of(mesh);
+    const bool is_volume = find_orientation(mesh).type == MeshType::volume;
+    EXPECT_EQ(t.skin.size(), is_volume ? t.boundary_sides : 0u) << name;
+    const std::size_t border = is_volume ? 0 : t.boundary_sides + t.non_manifold_sides;
+    EXPECT_EQ(t.curves.size(), border + t.feature_sides) << name;  // every edge has one reason
+    std::vector<char> on_curve(mesh.point_count(), 0);
+    for (const auto& [a, b] : t.curves) {
+      EXPECT_LT(a, b) << name;
+      EXPECT_TRUE(is_on_curve(t, a) && is_on_curve(t, b)) << name;
+      on_curve[a] = on_curve[b] = 1;
+    }
+    for (Index v = 0; v < mesh.point_count(); ++v) EXPECT_LE(t.corners[v], on_curve[v]) << name;
+  }
 }
 
 TEST(Topology, IsTheSameForRenumberedMeshes) {

@@ -185,15 +185,14 @@ Topology find_topology(const Mesh& mesh, const Orientation& orientation,
   result.components = count_components(cells, result.used);
 
   const double angle_rad = radians(options.feature_angle);
-  std::vector<VertexPair> curves;
   if (orientation.type == MeshType::volume) {
-    const Cells skin = mark_faces(mesh, result);
-    curves = mark_skin_edges(mesh, skin, angle_rad, result);
+    result.skin = mark_faces(mesh, result);
+    result.curves = mark_skin_edges(mesh, result.skin, angle_rad, result);
     mark_inner_surface_cells(cells, result);
   } else {
-    curves = mark_edges(mesh, orientation.normals, angle_rad, result);
+    result.curves = mark_edges(mesh, orientation.normals, angle_rad, result);
   }
-  mark_corners(mesh.points(), curves, angle_rad, result.corners);
+  mark_corners(mesh.points(), result.curves, angle_rad, result.corners);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/mesh/curves.h"
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/orientation.h"
 
@@ -33,6 +34,13 @@ struct Topology {
   std::size_t feature_sides = 0;
   std::size_t interface_sides = 0;
   std::size_t components = 0;  // pieces connected through shared vertices
+
+  /// The edges of the curves, each once: boundary, feature, non-manifold and interface edges. On a
+  /// volume mesh those of the skin: features, edges between groups and with one incident face.
+  std::vector<VertexPair> curves;
+  /// Volume: the faces with one incident cell, wound as that cell has them, in its group. Else
+  /// empty.
+  Cells skin;
 };
 
 struct TopologyOptions {

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: MIT
+#include "evenmesh/constraint/mesh_tracks.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <span>
+#include <utility>
+
+#include "evenmesh/geometry/closest_point.h"
+#include "evenmesh/geometry/curve_track.h"
+#include "evenmesh/geometry/surface_track.h"
+#include "evenmesh/mesh/extent.h"
+#include "evenmesh/mesh/plane.h"
+
+namespace evenmesh {
+namespace {
+
+constexpr std::uint32_t kNone = MeshTracks::kNone;
+
+/// The curves' edges by vertex.
+class CurveNet {
+ public:
+  CurveNet(std::size_t vertex_count, std::span<const VertexPair> edges)
+      : begins_(vertex_count + 1, 0), neighbours_(2 * edges.size()) {
+    for (const auto& [a, b] : edges) {
+      ++begins_[a + 1];
+      ++begins_[b + 1];
+    }
+    for (std::size_t v = 1; v < begins_.size(); ++v) begins_[v] += begins_[v - 1];
+    std::vector<Offset> next = begins_;
+    for (const auto& [a, b] : edges) {
+      neighbours_[next[a]++] = b;
+      neighbours_[next[b]++] = a;
+    }
+    for (std::size_t v = 0; v < vertex_count; ++v) {
+      std::sort(neighbours_.begin() + static_cast<std::ptrdiff_t>(begins_[v]),
+                neighbours_.begin() + static_cast<std::ptrdiff_t>(begins_[v + 1]));
+    }
+  }
+
+  std::size_t vertices() const { return begins_.size() - 1; }
+  std::span<const Index> around(Index v) const {
+    return {neighbours_.data() + begins_[v], neighbours_.data() + begins_[v + 1]};
+  }
+  bool has(Index a, Index b) const {
+    const auto list = around(a);
+    return std::binary_search(list.begin(), list.end(), b);
+  }
+
+ private:
+  std::vector<Offset> begins_;
+  std::vector<Index> neighbours_;
+};
+
+/// Cuts the curves at corners.
+class RunFinder {
+ public:
+  RunFinder(const CurveNet& net, std::span<const char> corners)
+      : net_(net), corners_(corners), seen_(corners.size(), 0) {}
+
+  /// Runs from corner to corner first, then closed ones; both by their least vertices.
+  std::vector<MeshTracks::Run> find() {
+    std::vector<MeshTracks::Run> runs;
+    for (Index v = 0; v < corners_.size(); ++v) {
+      if (!is_end(v)) continue;
+      for (const Index next : net_.around(v)) {
+        MeshTracks::Run run;
+        run.vertices = walk(v, next);
+        if (is_first_visit(run.vertices)) runs.push_back(std::move(run));
+      }
+    }
+    for (Index v = 0; v < corners_.size(); ++v) {
+      if (is_end(v) || seen_[v] || net_.around(v).empty()) continue;
+      MeshTracks::Run run;
+      run.closed = true;
+      run.vertices = walk(v, net_.around(v)[0]);
+      run.vertices.pop_back();
+      is_first_visit(run.vertices);
+      runs.push_back(std::move(run));
+    }
+    return runs;
+  }
+
+ private:
+  bool is_end(Index v) const { return corners_[v] != 0 || net_.around(v).size() != 2; }
+
+  /// To the next end, or back to where it started.
+  std::vector<Index> walk(Index start, Index next) const {
+    std::vector<Index> run{start, next};
+    while (!is_end(run.back()) && run.back() != start) {
+      const auto around = net_.around(run.back());
+      const Index before = run[run.size() - 2];
+      run.push_back(around[0] == before ? around[1] : around[0]);
+    }
+    return run;
+  }
+
+  /// Every run between ends is met twice, once from each.
+  bool is_first_visit(std::span<const Index> run) {
+    const bool has_inner = run.size() > 2;
+    if (!has_inner) return run.front() < run.back();
+    if (seen_[run[1]]) return false;
+    for (const Index v : run) seen_[v] = 1;
+    return true;
+  }
+
+  const CurveNet& net_;
+  std::span<const char> corners_;
+  std::vector<char> seen_;
+};
+
+/// The faces of a mesh as triangles.
+class Triangulation {
+ public:
+  Triangulation(const Mesh& mesh, const Cells& faces, const CurveNet& net)
+      : points_(mesh.points().begin(), mesh.points().end()), net_(net) {
+    const double half = extent_of(mesh.points(), faces.corners()).half();
+    unit_ = half > 0.0 ? half : 1.0;
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+      if (traits(faces.kind(face)).dimension == 2) add(faces.vertices(face));
+    }
+  }
+
+  std::shared_ptr<const SurfaceTrack> track() && {
+    return std::make_shared<const SurfaceTrack>(std::move(points_), std::move(triangles_),
+                                                barriers_);
+  }
+
+ private:
+  void add(std::span<const Index> vertices) {
+    face_.clear();
+    for (const Index v : vertices) {
+      if (face_.empty() || face_.back() != v) face_.push_back(v);
+    }
+    while (face_.size() > 1 && face_.front() == face_.back()) face_.pop_back();
+    if (face_.size() < 3) return;
+    if (face_.size() == 3) {
+      add_triangle({face_[0], face_[1], face_[2]});
+      return;
+    }
+    const std::size_t first = triangles_.size();
+    const Vec3 normal = doubled_area(points_, face_, unit_);
+    points_.push_back(mean());
+    add_fan_around_mean();
+    if (all_agree(first, normal)) return;
+    points_.pop_back();
+    for (std::size_t corner = 0; corner < std::min(face_.size(), kMostTried); ++corner) {
+      drop(first);
+      add_fan_from(corner);
+      if (all_agree(first, normal)) return;
+    }
+    drop(first);
+    points_.push_back(mean());
+    add_fan_around_mean();
+  }
+
+  Vec3 mean() const {
+    // Differences first, which keeps the digits far from the origin and the range of double.
+    const Vec3 origin = points_[face_[0]];
+    Vec3 sum = Vec3::Zero();
+    for (const Index v : face_) {
+      sum += (points_[v] / 2.0 - origin / 2.0) / static_cast<double>(face_.size());
+    }
+    return origin + 2.0 * sum;
+  }
+
+  void add_fan_around_mean() {
+    const auto centre = static_cast<Index>(points_.size() - 1);
+    for (std::size_t i = 0; i < face_.size(); ++i) {
+      add_triangle({face_[i], face_[(i + 1) % face_.size()], centre});
+    }
+  }
+
+  void add_fan_from(std::size_t corner) {
+    const std::size_t n = face_.size();
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      add_triangle({face_[corner], face_[(corner + i) % n], face_[(corner + i + 1) % n]});
+    }
+  }
+
+  void add_triangle(const VertexTriple& triangle) {
+    std::uint8_t barriers = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Index a = triangle[j];
+      const Index b = triangle[(j + 1) % 3];
+      if (is_curve(a, b)) barriers |= static_cast<std::uint8_t>(1u << j);
+    }
+    triangles_.push_back(triangle);
+    barriers_.push_back(barriers);
+  }
+
+  bool is_curve(Index a, Index b) const {
+    return std::max(a, b) < net_.vertices() && net_.has(a, b);
+  }
+
+  void drop(std::size_t first) {
+    triangles_.resize(first);
+    barriers_.resize(first);
+  }
+
+  bool all_agree(std::size_t first, const Vec3& normal) const {
+    return std::all_of(triangles_.begin() + static_cast<std::ptrdiff_t>(first), triangles_.end(),
+                       [&](const VertexTriple& triangle) {
+                         return doubled_area(points_, triangle, unit_).dot(normal) > 0.0;
+                       });
+  }
+
+  static constexpr std::size_t kMostTried = 32;  // lest a polygon of many corners take for ever
+
+  std::vector<Vec3> points_;  // the mesh's, then the middles of faces
+  std::vector<VertexTriple> triangles_;
+  std::vector<std::uint8_t> barriers_;
+  const CurveNet& net_;
+  double unit_;
+  std::vector<Index> face_;  // the one at work, without repetitions
+};
+
+void hold(MeshTracks& result, std::size_t vertex) {
+  result.place[vertex] = VertexPlace::corner;
+  result.track[vertex] = kNone;
+  result.patch[vertex] = kNone;
+}
+
+void add_runs(const Mesh& mesh, const CurveNet& net, const Topology& topology, MeshTracks& result) {
+  result.runs = RunFinder(net, topology.corners).find();
+  for (std::size_t r = 0; r < result.runs.size(); ++r) {
+    MeshTracks::Run& run = result.runs[r];
+    std::vector<Vec3> points;
+    points.reserve(run.vertices.size());
+    for (const Index v : run.vertices) points.push_back(mesh.points()[v]);
+    run.straight = !run.closed && is_straight(points);
+    const auto track = std::make_shared<const CurveTrack>(
+        std::move(points), run.closed ? CurveTrack::Shape::closed : CurveTrack::Shape::open);
+    result.tracks.push_back(track);
+    const std::size_t inner = run.closed ? 0 : 1;
+    for (std::size_t k = inner; k + inner < run.vertices.size(); ++k) {
+      const Index v = run.vertices[k];
+      result.place[v] = VertexPlace::run;
+      result.track[v] = static_cast<std::uint32_t>(r);
+      result.start[v] = track->at(k);
+    }
+  }
+}
+
+/// Numbers the patches by their least triangles.
+/// @return  per triangle, the number of its patch
+std::vector<std::uint32_t> number_patches(const SurfaceTrack& surface, std::size_t& count) {
+  std::vector<std::uint32_t> numbers(surface.triangles());
+  count = 0;
+  for (std::uint32_t t = 0; t < numbers.size(); ++t) {
+    const std::uint32_t first = surface.patch(t);
+    numbers[t] = first == t ? static_cast<std::uint32_t>(count++) : numbers[first];
+  }
+  return numbers;
+}
+
+void find_flat_patches(const Mesh& mesh, const SurfaceTrack& surface,
+                       std::span<const std::uint32_t> patch_of_triangle,
+                       std::vector<MeshTracks::Patch>& patches) {
+  std::vector<std::vector<Index>> vertices(patches.size());
+  for (std::uint32_t t = 0; t < surface.triangles(); ++t) {
+    for (const Index v : surface.vertices(t)) {
+      if (v < mesh.point_count()) vertices[patch_of_triangle[t]].push_back(v);
+    }
+  }
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const auto normal = common_plane(mesh.points(), vertices[k], kPlanarTolerance);
+    if (normal) patches[k].normal = *normal;
+  }
+}
+
+/// Puts every vertex that is still without a place and has a face onto the surface.
+void place_on_surface(const Mesh& mesh, const SurfaceTrack& surface,
+                      std::span<const std::uint32_t> patch_of_triangle, MeshTracks& result) {
+  const auto track = static_cast<std::uint32_t>(result.tracks.size() - 1);
+  std::vector<std::uint32_t> sector(mesh.point_count(), kNone);
+  for (std::uint32_t t = 0; t < surface.triangles(); ++t) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Index v = surface.vertices(t)[j];
+      if (v >= mesh.point_count()) continue;
+      if (result.place[v] == VertexPlace::inside) {
+        sector[v] = surface.sector(t, j);
+        result.place[v] = VertexPlace::patch;
+        result.track[v] = track;
+        result.patch[v] = patch_of_triangle[t];
+        result.start[v] = surface.at(t, j);
+        if (result.start[v].direction.isZero(0.0)) hold(result, v);
+      } else if (result.place[v] == VertexPlace::patch && surface.sector(t, j) != sector[v]) {
+        hold(result, v);  // two sheets share the vertex and nothing else
+      }
+    }
+  }
+}
+
+void add_surface(const Mesh& mesh, const Cells& faces, const CurveNet& net, MeshTracks& result) {
+  const auto surface = Triangulation(mesh, faces, net).track();
+  result.tracks.push_back(surface);
+  std::size_t patches = 0;
+  const std::vector<std::uint32_t> numbers = number_patches(*surface, patches);
+  result.patches.resize(patches);
+  find_flat_patches(mesh, *surface, numbers, result.patches);
+  place_on_surface(mesh, *surface, numbers, result);
+}
+
+/// Interfaces within a volume keep their shape, and there is no track of them. Nor is there one
+/// of faces without extent.
+void hold_what_has_no_track(MeshType type, const CurveNet& net, const Topology& topology,
+                            MeshTracks& result) {
+  for (Index v = 0; v < result.place.size(); ++v) {
+    const bool is_inside = result.place[v] == VertexPlace::inside;
+    if (type == MeshType::surface) {
+      if (is_inside) hold(result, v);
+      continue;
+    }
+    const bool on_inner_face =
+        topology.non_manifold[v] || (topology.interface[v] && net.around(v).empty());
+    if (on_inner_face || (is_inside && topology.boundary[v])) hold(result, v);
+  }
+}
+
+}  // namespace
+
+bool is_straight(Points points) {
+  assert(points.size() >= 2);
+  const Vec3 origin = points.front() / 2.0;  // halves, because a difference may overflow
+  const Vec3 whole = points.back() / 2.0 - origin;
+  const double size = whole.lpNorm<Eigen::Infinity>();
+  if (!(size > 0.0)) return false;
+  const double length = (whole / size).norm();
+  const Vec3 direction = whole / size / length;
+  double before = 0.0;
+  for (const Vec3& p : points) {
+    const Vec3 d = (p / 2.0 - origin) / size;
+    const double along = d.dot(direction);
+    if (!((d - along * direction).norm() <= kStraightTolerance * length)) return false;
+    if (along < before - kStraightTolerance * length) return false;
+    before = std::max(before, along);
+  }
+  return before <= length * (1.0 + kStraightTolerance);
+}
+
+MeshTracks find_mesh_tracks(const Mesh& mesh, const Orientation& orientation,
+                            const Topology& topology) {
+  const std::size_t n = mesh.point_count();
+  assert(topology.used.size() == n);
+  MeshTracks result;
+  result.place.assign(n, VertexPlace::unused);
+  result.track.assign(n, kNone);
+  result.patch.assign(n, kNone);
+  result.start.resize(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    result.start[v].position = mesh.points()[v];
+    if (topology.corners[v]) {
+      result.place[v] = VertexPlace::corner;
+    } else if (topology.used[v]) {
+      result.place[v] = VertexPlace::inside;
+    }
+  }
+  const CurveNet net(n, topology.curves);
+  add_runs(mesh, net, topology, result);
+  if (orientation.type == MeshType::planar) return result;
+  const bool is_volume = orientation.type == MeshType::volume;
+  add_surface(mesh, is_volume ? topology.skin : mesh.cells(), net, result);
+  hold_what_has_no_track(orientation.type, net, topology, result);
+  return result;
+}
+
+}  // namespace evenmesh
