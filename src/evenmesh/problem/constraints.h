@@ -35,6 +35,8 @@ struct Slide {
   /// figure is fitted to every piece of the selection that edges connect; features, boundary and
   /// surface are those of the input.
   std::shared_ptr<const Track> track = nullptr;
+  /// The point of that track nearest to any point in space; needed for tracks that are not figures.
+  std::function<TrackPoint(const Vec3&)> nearest = {};
 };
 
 /// Vertices in a plane stay in it, on top of what else holds for them.
@@ -109,6 +111,9 @@ struct ConstraintSummary {
   std::string unit;  // "vertices" or "cells"
   std::string note;  // what else there is to know, one sentence without a full stop; or empty
 };
+
+/// The vertices of cells that lie in a plane, up to 1e-7 of the diagonal of the mesh's box.
+std::vector<char> vertices_in_plane(const Mesh& mesh, const Plane& plane);
 
 /// Fills in what constrains a problem: motion, validity, bounds, max_move, max_deviation, targets.
 ///

@@ -13,6 +13,7 @@
 #include "evenmesh/cost/global.h"
 #include "evenmesh/cost/local.h"
 #include "evenmesh/mesh/measure.h"
+#include "evenmesh/problem/constraints.h"
 
 namespace evenmesh {
 namespace {
@@ -99,21 +100,25 @@ std::vector<std::string> cost_names() {
   return names;
 }
 
-Problem make_problem(const Mesh& mesh, Orientation orientation, std::span<const char> fixed,
-                     const ProblemOptions& options) {
-  Problem problem;
-  problem.motion = Motion(mesh, orientation, fixed);
-  const auto points = mesh.points();
-  if (std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return p == points[0]; })) {
-    for (std::size_t v = 0; v < points.size(); ++v) problem.motion.fix(static_cast<Index>(v));
-  }
+void add_costs(const Mesh& mesh, const ProblemOptions& options, Problem& problem) {
   if (problem.motion.moving() > 0) {
-    const Setting setting{mesh, orientation, options};
+    const Setting setting{mesh, problem.orientation, options};
     const auto choices = options.costs.empty() ? default_costs(mesh) : options.costs;
     for (const CostChoice& choice : choices) problem.terms.push_back(make_term(choice, setting));
   }
-  problem.orientation = std::move(orientation);
   check_for_collapse(mesh, problem);
+}
+
+Problem make_problem(const Mesh& mesh, Orientation orientation, std::span<const char> fixed,
+                     const ProblemOptions& options) {
+  Problem problem;
+  problem.orientation = std::move(orientation);
+  Constraints constraints;
+  constraints.fixed = Selection{"fixed", {fixed.begin(), fixed.end()}};
+  // Only what slides on the surface has to know its edges.
+  const bool slides = problem.orientation.type == MeshType::surface;
+  apply(mesh, slides ? find_topology(mesh, problem.orientation) : Topology{}, constraints, problem);
+  add_costs(mesh, options, problem);
   return problem;
 }
 

@@ -63,7 +63,13 @@ struct ProblemOptions {
   double global_length = 0.0;
 };
 
-/// The problem for a mesh in which the given vertices stay.
+/// Puts the costs into a problem that is otherwise complete: see apply() in constraints.h.
+/// @throws InvalidOption  as make_problem()
+void add_costs(const Mesh& mesh, const ProblemOptions& options, Problem& problem);
+
+/// The problem for a mesh in which the given vertices stay and nothing else is demanded: the others
+/// move in the plane of a planar mesh, freely in a volume mesh, and on the input's surface, edges
+/// along themselves, on a surface mesh.
 /// @param fixed  per vertex: may not move
 /// @throws InvalidOption  an unknown cost (the message has the known ones), a weight that is not
 ///                        positive and finite, or nothing keeps the mesh from collapsing.
