@@ -8,7 +8,8 @@
 
 namespace evenmesh {
 
-/// A power of two that brings lengths into the range in which their fourth powers are doubles.
+/// A power of two that brings lengths into the range in which their fourth powers are doubles and
+/// they themselves are single-precision numbers.
 ///
 /// Multiplying by it loses no bit and is undone exactly. 1 for every ordinary unit of length.
 struct UnitScale {
@@ -18,8 +19,8 @@ struct UnitScale {
 
 /// @param points  finite; the greatest coordinate counts
 inline UnitScale unit_scale(Points points) {
-  constexpr double kLeast = 1e-50;
-  constexpr double kGreatest = 1e50;
+  constexpr double kLeast = 1e-30;
+  constexpr double kGreatest = 1e30;
   constexpr int kGreatestExponent = 1000;  // 2^1000 and 2^-1000 are doubles both
   double largest = 0.0;
   for (const Vec3& p : points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
