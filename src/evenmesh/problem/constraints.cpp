@@ -86,7 +86,7 @@ class Application {
     check_selections();
     const std::size_t n = points_.size();
     motion_ = Motion(mesh_, problem_.orientation, std::vector<char>(n, 0));
-    kept_.resize(n);
+    held_.resize(n);
     slide_.assign(n, kNone);
     target_.assign(n, kNone);
     if (!(size_ > 0.0)) {  // one place: nothing has a direction
@@ -165,7 +165,7 @@ class Application {
       fail(limit.selection.text, "vertices that may not move at all are better fixed (--fix)");
     }
     for (const Prescription& p : constraints_.prescriptions) {
-      check_selection(p.selection.text, p.selection.vertices);
+      if (p.targets.empty()) fail(p.text, "it moves no vertex of this mesh");
     }
     for (const Selection& free : constraints_.free) {
       if (!constraints_.fixed) continue;
@@ -183,39 +183,39 @@ class Application {
     const bool surface = type_ == MeshType::surface;
     if (constraints_.fixed && !surface) return;
     const bool slides = surface || constraints_.max_deviation.has_value();
-    kept_ = keep_shape(mesh_, problem_.orientation, topology_, tracks(),
+    held_ = keep_shape(mesh_, problem_.orientation, topology_, tracks(),
                        slides ? Curved::slides : Curved::stays);
     if (constraints_.fixed) {
-      for (Index v = 0; v < kept_.size(); ++v) {
-        const bool on_run = kept_[v].keep == Keep::curved && tracks().place[v] == VertexPlace::run;
-        if (on_run) kept_[v].keep = Keep::run;
+      for (Index v = 0; v < held_.size(); ++v) {
+        const bool on_run = held_[v].hold == Hold::curved && tracks().place[v] == VertexPlace::run;
+        if (on_run) held_[v].hold = Hold::run;
       }
     }
     for (const Selection& free : constraints_.free) {
-      for (Index v = 0; v < kept_.size(); ++v) {
-        if (free.vertices[v]) kept_[v] = {};
+      for (Index v = 0; v < held_.size(); ++v) {
+        if (free.vertices[v]) held_[v] = {};
       }
     }
   }
 
   void apply_defaults() {
-    for (Index v = 0; v < kept_.size(); ++v) {
+    for (Index v = 0; v < held_.size(); ++v) {
       if (slide_[v] != kNone || !moves(v)) continue;
-      switch (kept_[v].keep) {
-        case Keep::nothing:
+      switch (held_[v].hold) {
+        case Hold::nothing:
           break;
-        case Keep::corner:
-        case Keep::curved:
+        case Hold::corner:
+        case Hold::curved:
           motion_.fix(v);
           break;
-        case Keep::line:
-          motion_.keep_on_line(v, points_[v], kept_[v].direction);
+        case Hold::line:
+          motion_.keep_on_line(v, points_[v], held_[v].direction);
           break;
-        case Keep::plane:
-          motion_.keep_in_plane(v, points_[v], kept_[v].direction);
+        case Hold::plane:
+          motion_.keep_in_plane(v, points_[v], held_[v].direction);
           break;
-        case Keep::run:
-        case Keep::surface:
+        case Hold::run:
+        case Hold::surface:
           motion_.put_on_track(v, tracks().tracks[tracks().track[v]], tracks().start[v]);
       }
     }
@@ -225,8 +225,8 @@ class Application {
 
   // What the shape hangs on stays: corners on every slide, edges where faces slide.
   bool is_held(Index v, SlideOn on) {
-    if (kept_[v].keep == Keep::nothing) return false;
-    if (kept_[v].keep == Keep::corner) return true;
+    if (held_[v].hold == Hold::nothing) return false;
+    if (held_[v].hold == Hold::corner) return true;
     if (is_curve(on) || !is_figure(on) || type_ == MeshType::planar) return false;
     return tracks().place[v] == VertexPlace::run;
   }
@@ -473,9 +473,7 @@ class Application {
 
   void prescribe() {
     for (const Prescription& p : constraints_.prescriptions) {
-      for (Index v = 0; v < points_.size(); ++v) {
-        if (p.selection.vertices[v]) prescribe(v, p.displacements[v], p.selection.text);
-      }
+      for (const Target& target : p.targets) prescribe(target.vertex, target.position, p.text);
     }
     for (const PeriodicPair& pair : tied_pairs()) check_pair(pair);
     std::vector<std::uint32_t> order(problem_.targets.size());
@@ -494,8 +492,8 @@ class Application {
     target_texts_ = std::move(texts);
   }
 
-  void prescribe(Index v, const Vec3& displacement, const std::string& text) {
-    const Vec3 position = points_[v] + displacement;
+  void prescribe(Index v, const Vec3& position, const std::string& text) {
+    const Vec3 displacement = position - points_[v];
     const double way = displacement.norm();
     if (!std::isfinite(way)) fail(text, fmt::format("the place of {} is not finite", name_of(v)));
     if (is_fixed(v) && way > 0.0) {
@@ -564,8 +562,7 @@ class Application {
     const Index to = from == a ? b : a;
     if (target_[to] == kNone) {
       const std::string text = target_texts_[target_[from]];
-      const Vec3 by = displacement(from);
-      return prescribe(to, by, text);
+      return prescribe(to, points_[to] + displacement(from), text);
     }
     const double apart = (displacement(a) - displacement(b)).norm();
     if (apart <= kContradicts * size_) return;
@@ -628,10 +625,10 @@ class Application {
 
   // ---- what holds -------------------------------------------------------------------------------
 
-  void summarize_default(Keep keep, std::string_view kind, std::string_view note) {
+  void summarize_default(Hold hold, std::string_view kind, std::string_view note) {
     std::size_t number = 0;
-    for (Index v = 0; v < kept_.size(); ++v) {
-      if (kept_[v].keep == keep && slide_[v] == kNone && !is_fixed(v)) ++number;
+    for (Index v = 0; v < held_.size(); ++v) {
+      if (held_[v].hold == hold && slide_[v] == kNone && !is_fixed(v)) ++number;
     }
     if (number == 0) return;
     add(std::string(kind), "default", Entry::eliminated, number, "vertices", std::string(note));
@@ -639,16 +636,16 @@ class Application {
 
   void summarize_defaults() {
     const bool volume = type_ == MeshType::volume;
-    summarize_default(Keep::corner, "fixed", "corners");
-    summarize_default(Keep::curved, "fixed",
+    summarize_default(Hold::corner, "fixed", "corners");
+    summarize_default(Hold::curved, "fixed",
                       type_ == MeshType::surface ? "interfaces that bend"
                       : volume                   ? "skin and interfaces that bend"
                                                  : "boundary and interfaces that bend");
-    summarize_default(Keep::line, "slide on line",
+    summarize_default(Hold::line, "slide on line",
                       volume ? "straight edges" : "straight parts of boundary and interfaces");
-    summarize_default(Keep::plane, "slide on plane", "flat parts of the skin");
-    summarize_default(Keep::run, "slide on curve", "along the edges of the input");
-    summarize_default(Keep::surface, "slide on surface",
+    summarize_default(Hold::plane, "slide on plane", "flat parts of the skin");
+    summarize_default(Hold::run, "slide on curve", "along the edges of the input");
+    summarize_default(Hold::surface, "slide on surface",
                       volume ? "the skin of the input" : "the surface of the input");
   }
 
@@ -684,11 +681,11 @@ class Application {
   void summarize_prescriptions() {
     for (const Prescription& p : constraints_.prescriptions) {
       double farthest = 0.0;
-      for (Index v = 0; v < points_.size(); ++v) {
-        if (p.selection.vertices[v]) farthest = std::max(farthest, p.displacements[v].norm());
+      for (const Target& target : p.targets) {
+        farthest = std::max(farthest, (target.position - points_[target.vertex]).norm());
       }
-      add("prescribed", p.selection.text, Entry::eliminated, count(p.selection.vertices),
-          "vertices", fmt::format("by {:.3g} at most", farthest));
+      add("prescribed", p.text, Entry::eliminated, p.targets.size(), "vertices",
+          fmt::format("by {:.3g} at most", farthest));
     }
   }
 
@@ -749,7 +746,7 @@ class Application {
   const MeshType type_;
   double size_ = 0.0;  // diagonal of the box
   std::optional<MeshTracks> tracks_;
-  std::vector<Kept> kept_;            // the defaults
+  std::vector<Held> held_;            // the defaults
   std::vector<std::uint32_t> slide_;  // per vertex: the first slide it takes part in, or kNone
   std::vector<std::vector<char>> taking_part_;  // per slide and vertex
   std::vector<std::uint32_t> target_;           // per vertex: its entry in targets, or kNone

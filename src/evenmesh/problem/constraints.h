@@ -61,8 +61,8 @@ struct MoveLimit {
 
 /// Vertices that are brought to other places and stay there.
 struct Prescription {
-  Selection selection;
-  std::vector<Vec3> displacements;  // one per vertex; those of others do not count
+  std::string text;
+  std::vector<Target> targets;
 };
 
 /// A function kept within bounds, and what asked for it.

@@ -82,7 +82,8 @@ std::vector<std::string> cost_names();
 
 /// Throws InvalidOption, with the remedy, if the costs are least when a piece of the mesh shrinks
 /// to a point: all of them can collapse, and the piece (not a surface, where tangent planes hold
-/// it) has not two fixed vertices at different places.
+/// it) may move to a single place: fewer than two vertices are fixed, and no lines or
+/// planes hold the others apart.
 void check_for_collapse(const Mesh& mesh, const Problem& problem);
 
 }  // namespace evenmesh

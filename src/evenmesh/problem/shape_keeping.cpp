@@ -128,46 +128,46 @@ class SkinRings {
 };
 
 void keep_faces(const Mesh& mesh, const Topology& topology, const MeshTracks& tracks, double slack,
-                Curved curved, std::vector<Kept>& kept) {
+                Curved curved, std::vector<Held>& held) {
   SkinRings rings(topology.skin, mesh.point_count());
-  for (Index v = 0; v < kept.size(); ++v) {
+  for (Index v = 0; v < held.size(); ++v) {
     if (tracks.place[v] != VertexPlace::patch) continue;
     if (tracks.is_on_flat_patch(v)) {
-      kept[v] = {Keep::plane, tracks.patches[tracks.patch[v]].normal};
+      held[v] = {Hold::plane, tracks.patches[tracks.patch[v]].normal};
     } else if (const auto normal = rings.normal(mesh.points(), v, slack)) {
-      kept[v] = {Keep::plane, *normal};
+      held[v] = {Hold::plane, *normal};
     } else {
-      kept[v].keep = curved == Curved::slides ? Keep::surface : Keep::curved;
+      held[v].hold = curved == Curved::slides ? Hold::surface : Hold::curved;
     }
   }
 }
 
 }  // namespace
 
-std::vector<Kept> keep_shape(const Mesh& mesh, const Orientation& orientation,
+std::vector<Held> keep_shape(const Mesh& mesh, const Orientation& orientation,
                              const Topology& topology, const MeshTracks& tracks, Curved curved) {
   const double slack = kStraightSlack * diagonal(mesh);
   const bool surface = orientation.type == MeshType::surface;
-  std::vector<Kept> kept(mesh.point_count());
-  for (Index v = 0; v < kept.size(); ++v) {
-    if (tracks.place[v] == VertexPlace::corner) kept[v].keep = Keep::corner;
-    if (tracks.place[v] == VertexPlace::patch) kept[v].keep = Keep::surface;
+  std::vector<Held> held(mesh.point_count());
+  for (Index v = 0; v < held.size(); ++v) {
+    if (tracks.place[v] == VertexPlace::corner) held[v].hold = Hold::corner;
+    if (tracks.place[v] == VertexPlace::patch) held[v].hold = Hold::surface;
     if (tracks.place[v] != VertexPlace::run) continue;
     // An interface on a surface is where two parts meet, which is nobody's shape.
     const bool only_interface =
         !topology.boundary[v] && !topology.features[v] && !topology.non_manifold[v];
     const bool slides = surface ? !only_interface : curved == Curved::slides;
-    kept[v].keep = slides ? Keep::run : Keep::curved;
+    held[v].hold = slides ? Hold::run : Hold::curved;
   }
   for (const MeshTracks::Run& run : tracks.runs) {
     Stretches(mesh.points(), run, slack).for_each_within([&](Index v, const Vec3& direction) {
-      if (tracks.place[v] == VertexPlace::run) kept[v] = {Keep::line, direction};
+      if (tracks.place[v] == VertexPlace::run) held[v] = {Hold::line, direction};
     });
   }
   if (orientation.type == MeshType::volume) {
-    keep_faces(mesh, topology, tracks, slack, curved, kept);
+    keep_faces(mesh, topology, tracks, slack, curved, held);
   }
-  return kept;
+  return held;
 }
 
 }  // namespace evenmesh

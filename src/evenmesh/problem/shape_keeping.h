@@ -13,7 +13,7 @@
 namespace evenmesh {
 
 /// What a vertex may do without changing the shape of its mesh.
-enum class Keep : std::uint8_t {
+enum class Hold : std::uint8_t {
   nothing,  // it may do anything: it is inside, or in no cell
   corner,   // stays: curves end, meet or turn there
   curved,   // stays: it lies on a curve or face that bends there
@@ -23,8 +23,8 @@ enum class Keep : std::uint8_t {
   surface   // slides on the faces of the input
 };
 
-struct Kept {
-  Keep keep = Keep::nothing;
+struct Held {
+  Hold hold = Hold::nothing;
   Vec3 direction = Vec3::Zero();  // line: of the stretch; plane: normal; unit. Else zero
 };
 
@@ -41,7 +41,7 @@ enum class Curved : std::uint8_t {
 /// past the bend.
 /// @param curved  what becomes of the rest of the boundary; that of a surface mesh always slides
 /// @pre  topology and tracks are those of the mesh
-std::vector<Kept> keep_shape(const Mesh& mesh, const Orientation& orientation,
+std::vector<Held> keep_shape(const Mesh& mesh, const Orientation& orientation,
                              const Topology& topology, const MeshTracks& tracks, Curved curved);
 
 /// Relative to the diagonal of the mesh's box. Single-precision files need it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "evenmesh/mesh/mesh.h"
@@ -9,7 +10,15 @@
 
 namespace evenmesh {
 
+/// Which method looks for the minimum.
+enum class SolverKind : std::uint8_t {
+  automatic,  // chosen by size and constraints
+  multigrid,  // nonlinear conjugate gradients, preconditioned with multigrid
+  newton      // Newton's method with exact factorisations: small meshes, last digits
+};
+
 struct Options {
+  SolverKind solver = SolverKind::automatic;
   /// Stop when the gradient, in the preconditioner's norm and relative to the start, is at most
   /// this. 1e-4 is final to the eye. In (0, 1).
   double tolerance = 1e-6;
