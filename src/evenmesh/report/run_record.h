@@ -10,6 +10,7 @@
 
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/orientation.h"
+#include "evenmesh/problem/constraints.h"
 #include "evenmesh/quality/quality.h"
 #include "evenmesh/solver/report.h"
 
@@ -44,6 +45,7 @@ struct RunRecord {
   std::vector<std::pair<std::string, std::string>> options;  // effective, name and value
   std::vector<std::string> notes;
 
+  std::vector<ConstraintSummary> constraints;  // what held
   Report report;
   std::vector<NamedCell> worst;  // by shape afterwards, the worst first
 
@@ -55,7 +57,7 @@ struct RunRecord {
 };
 
 /// The version of the report's format: additions raise the second number, anything else the first.
-inline constexpr const char* kReportSchemaVersion = "1.0";
+inline constexpr const char* kReportSchemaVersion = "1.1";
 
 /// The record as JSON text, indented, with a final newline; docs/report.schema.json describes it.
 /// Infinite values (the edge ratio of a collapsed cell) are null, as JSON has no word for them.
