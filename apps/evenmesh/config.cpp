@@ -196,7 +196,8 @@ std::string to_toml(const CLI::Option& option) {
       break;
   }
   std::string list;
-  for (const std::string& result : results) list += (list.empty() ? "" : ", ") + toml_string(result);
+  for (const std::string& result : results)
+    list += (list.empty() ? "" : ", ") + toml_string(result);
   return "[" + list + "]";
 }
 

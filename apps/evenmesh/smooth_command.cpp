@@ -7,14 +7,17 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 
 #include <fmt/core.h>
 #include <unistd.h>
 
 #include "apps/evenmesh/commands.h"
 #include "apps/evenmesh/exit_code.h"
+#include "apps/evenmesh/expression.h"
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/text.h"
+#include "evenmesh/constraint/phrases.h"
 #include "evenmesh/io/output_file.h"
 #include "evenmesh/solver/guard.h"
 #include "evenmesh/solver/smooth.h"
@@ -106,6 +109,12 @@ std::string read_text(const std::string& path) {
   return text;
 }
 
+// One parser for all vertices; a std::function must be copyable.
+std::function<Vec3(const Vec3&)> displacement(const std::string& formulas) {
+  const auto parsed = std::make_shared<const Displacement>(formulas);
+  return [parsed](const Vec3& p) { return (*parsed)(p); };
+}
+
 // How many vertices may do what.
 std::string freedoms(const Motion& motion, MeshType type) {
   std::size_t fixed = 0;
@@ -175,6 +184,9 @@ class Run {
   void prepare() {
     check(options_);
     check(arguments_.constraints);
+    for (const std::string& text : arguments_.constraints.prescribe) {
+      if (const std::string f = parse_prescribe(text).formulas; !f.empty()) Displacement{f};
+    }
     const std::vector<CostChoice> costs = parse_costs(arguments_.costs);
     if (!(arguments_.global_length >= 0.0) || std::isinf(arguments_.global_length)) {
       throw InvalidOption(fmt::format("--global-length must be a positive length, not {}",
@@ -208,7 +220,8 @@ class Run {
         .names = {.groups = file.group_names},
         .vertex_name = [&file](Index v) { return file.patch->vertex_name(v); },
         .read_mesh = [](const std::string& path) { return read_mesh(path).mesh; },
-        .read_text = read_text};
+        .read_text = read_text,
+        .displacement = displacement};
     problem_.orientation = input_.orientation;
     record_.constraints =
         apply(file.mesh, input_.topology, understand(arguments_.constraints, setting), problem_);

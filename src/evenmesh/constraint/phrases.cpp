@@ -282,20 +282,16 @@ PrescribePhrase parse_prescribe(std::string_view text) {
   }
   // A comma within brackets separates arguments of a function, not components.
   int depth = 0;
-  std::vector<std::string> parts(1);
+  std::size_t commas = 0;
   for (const char c : value) {
     depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-    if (c == ',' && depth == 0) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
+    commas += c == ',' && depth == 0;
   }
-  if (parts.size() == 3 && equals != std::string_view::npos) {
-    for (const std::string& part : parts) phrase.formulas.emplace_back(trimmed(part));
+  if (commas == 2 && equals != std::string_view::npos) {
+    phrase.formulas = value;
     return phrase;
   }
-  if (parts.size() != 1 || !looks_like_file(value)) {
+  if (commas != 0 || !looks_like_file(value)) {
     fail("--prescribe", text,
          "write 'SEL = dx,dy,dz' (numbers or formulas in x, y and z), 'SEL = file.csv' or "
          "other_mesh.obj");

@@ -94,9 +94,9 @@ KeepPhrase parse_keep(std::string_view text);
 
 /// "SEL = dx,dy,dz", "SEL = file.csv", "other_mesh.obj".
 struct PrescribePhrase {
-  std::string selector;               // empty: all vertices
-  std::vector<std::string> formulas;  // three, in x, y and z; or none
-  std::string file;
+  std::string selector;  // empty: all vertices
+  std::string formulas;  // three, in x, y and z, with commas between; or empty
+  std::string file;      // or empty
 };
 PrescribePhrase parse_prescribe(std::string_view text);
 

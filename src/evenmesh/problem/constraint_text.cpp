@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/problem/constraint_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -10,7 +11,10 @@
 
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/text.h"
+#include "evenmesh/constraint/keep.h"
 #include "evenmesh/constraint/phrases.h"
+#include "evenmesh/constraint/prescribe.h"
+#include "evenmesh/constraint/spacing.h"
 #include "evenmesh/geometry/bvh.h"
 #include "evenmesh/geometry/surface_track.h"
 #include "evenmesh/problem/figures.h"
@@ -82,6 +86,9 @@ class Reader {
     for (const std::string& t : text_.periodic) read_periodic(t);
     read_limits();
     read_demands();
+    for (const std::string& t : text_.keep) read_keep(t);
+    for (const std::string& t : text_.equal_spacing) read_equal_spacing(t);
+    for (const std::string& t : text_.prescribe) read_prescription(t);
     return std::move(result_);
   }
 
@@ -176,6 +183,82 @@ class Reader {
           parse_length(least, volume ? "--min-volume" : "--min-area", Length::Unit::of_mean_size);
     }
     if (!text_.min_jacobian.empty()) result_.min_jacobian = parse_jacobian(text_.min_jacobian);
+  }
+
+  void read_keep(const std::string& text) {
+    const KeepPhrase phrase = parse_keep(text);
+    const Keep what = phrase.what == KeepPhrase::What::area ? Keep::area : Keep::volume;
+    const std::string option = typed("--keep", text);
+    try {
+      result_.bounds.push_back(
+          {option, make_keep(in_.mesh, in_.orientation, what, only_group(phrase.group))});
+    } catch (const InvalidOption& error) {
+      throw InvalidOption(fmt::format("{}: {}", option, error.what()));
+    }
+  }
+
+  std::optional<std::uint32_t> only_group(const std::string& name) const {
+    if (name.empty()) return std::nullopt;
+    const std::vector<char> groups = find_groups(in_.names.groups, name);
+    const auto first = std::find(groups.begin(), groups.end(), 1);
+    const auto second = std::find(first + 1, groups.end(), 1);
+    const auto number = [&](auto group) {
+      return static_cast<std::uint32_t>(group - groups.begin());
+    };
+    if (second == groups.end()) return number(first);
+    throw InvalidOption(fmt::format("'{}' names more than one group: '{}' and '{}'", shown(name),
+                                    shown(in_.names.groups[number(first)]),
+                                    shown(in_.names.groups[number(second)])));
+  }
+
+  void read_equal_spacing(const std::string& text) {
+    const Selection selected = selection("--equal-spacing", text);
+    Prescription evenly{selected.text, {}, "equal_spacing"};
+    try {
+      for (const Run& run : chains_of(in_.mesh, in_.topology, selected.vertices)) {
+        const std::vector<Target> targets = space_evenly(in_.mesh.points(), run);
+        evenly.targets.insert(evenly.targets.end(), targets.begin(), targets.end());
+      }
+    } catch (const InvalidOption& error) {
+      throw InvalidOption(fmt::format("{}: {}", selected.text, error.what()));
+    }
+    result_.prescriptions.push_back(std::move(evenly));
+  }
+
+  void read_prescription(const std::string& text) {
+    const PrescribePhrase phrase = parse_prescribe(text);
+    const std::string option = typed("--prescribe", text);
+    const bool all = phrase.selector.empty();
+    const std::vector<char> selected = all ? std::vector<char>{} : select(phrase.selector);
+    result_.prescriptions.push_back({option, !phrase.formulas.empty()
+                                                 ? by_formulas(phrase.formulas, selected)
+                                                 : by_file(phrase.file, selected)});
+  }
+
+  std::vector<Target> by_formulas(const std::string& formulas,
+                                  const std::vector<char>& selected) const {
+    const auto displacement = in_.displacement(formulas);
+    std::vector<Target> targets;
+    for (Index v = 0; v < selected.size(); ++v) {
+      const Vec3& p = in_.mesh.points()[v];
+      if (selected[v]) targets.push_back({v, p + displacement(p)});
+    }
+    return targets;
+  }
+
+  /// A table of places, or another mesh with the same vertices.
+  std::vector<Target> by_file(const std::string& file, const std::vector<char>& selected) const {
+    const bool table = file.ends_with(".csv") || file.ends_with(".txt") || file.ends_with(".tsv");
+    if (!table) return targets_from(in_.mesh, in_.read_mesh(file), selected);
+    std::vector<Target> targets;
+    try {
+      targets = read_targets(in_.read_text(file), in_.mesh.points(), in_.names.first_id);
+    } catch (const InvalidOption& error) {
+      throw InvalidOption(fmt::format("{}: {}", file, error.what()));
+    }
+    if (!selected.empty())
+      std::erase_if(targets, [&](const Target& t) { return !selected[t.vertex]; });
+    return targets;
   }
 
   const ConstraintText& text_;

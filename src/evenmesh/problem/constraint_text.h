@@ -43,6 +43,8 @@ struct ConstraintSetting {
   /// Reads the other files that constraints name; throw what cannot be read.
   std::function<Mesh(const std::string& path)> read_mesh = {};
   std::function<std::string(const std::string& path)> read_text = {};
+  /// Makes a displacement from three formulas in x, y and z.
+  std::function<std::function<Vec3(const Vec3&)>(const std::string& formulas)> displacement = {};
 };
 
 /// Finds mistakes that show without a mesh, so that they are told before one is read.

@@ -684,7 +684,7 @@ class Application {
       for (const Target& target : p.targets) {
         farthest = std::max(farthest, (target.position - points_[target.vertex]).norm());
       }
-      add("prescribed", p.text, Entry::eliminated, p.targets.size(), "vertices",
+      add(p.kind, p.text, Entry::eliminated, p.targets.size(), "vertices",
           fmt::format("by {:.3g} at most", farthest));
     }
   }

@@ -63,6 +63,7 @@ struct MoveLimit {
 struct Prescription {
   std::string text;
   std::vector<Target> targets;
+  std::string kind = "prescribed";  // the word for it in summaries
 };
 
 /// A function kept within bounds, and what asked for it.

@@ -119,8 +119,9 @@ std::vector<FittedPiece> fit_figures(const Mesh& mesh, const Orientation& orient
     if (!selected[a] || !selected[b]) return;
     if (sliding[a] && sliding[b]) {
       // The least vertex is the root.
-      const auto [low, high] = std::minmax(find_root(parent, a), find_root(parent, b));
-      parent[high] = low;
+      const Index root_a = find_root(parent, a);
+      const Index root_b = find_root(parent, b);
+      parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
     } else if (sliding[a]) {
       ends.emplace_back(a, b);
     } else if (sliding[b]) {

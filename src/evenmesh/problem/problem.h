@@ -10,6 +10,7 @@
 #include "evenmesh/base/vec3.h"
 #include "evenmesh/constraint/function.h"
 #include "evenmesh/constraint/motion.h"
+#include "evenmesh/constraint/prescribe.h"
 #include "evenmesh/constraint/validity.h"
 #include "evenmesh/cost/cost.h"
 #include "evenmesh/mesh/mesh.h"
@@ -21,13 +22,6 @@ namespace evenmesh {
 struct Term {
   double weight = 1.0;  // > 0 and finite
   std::shared_ptr<const Cost> cost;
-};
-
-/// Where a vertex is to be brought before the rest is optimised: it was prescribed, or it is to
-/// slide on something that it is not on yet. Motion says whether it stays there.
-struct Target {
-  Index vertex = 0;
-  Vec3 position = Vec3::Zero();
 };
 
 /// What to minimise and under which constraints:  f(x) = sum over terms of weight * cost(x)  over
@@ -44,7 +38,10 @@ struct Problem {
   /// How far vertices on curves and surfaces of the input, and the edges and faces between them,
   /// may be from these; mesh length unit.
   double max_deviation = std::numeric_limits<double>::infinity();
-  std::vector<Target> targets;  // by increasing vertex, each once
+  /// Where vertices are to be brought before the rest is optimised, by increasing vertex, each
+  /// once: they were prescribed, or slide on something that they are not on yet. Motion says
+  /// whether they stay there.
+  std::vector<Target> targets;
 };
 
 /// A cost by name with its weight, as in `--cost local=0.3,barycenter=0.3`.
