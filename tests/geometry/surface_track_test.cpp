@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "evenmesh/base/parallel.h"
 #include "evenmesh/mesh/mesh.h"
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
@@ -227,19 +228,32 @@ TEST(SurfaceTrack, StaysOnItsSideOfAThinRoundedPlate) {
   expect_walk_without_jumps(track, track.at(0, 0), 0.05, 9, [](const TrackPoint&) {});
 }
 
-TEST(SurfaceTrack, DoesNotCrossABarrier) {
-  // The plane's middle line x = 0 is a barrier: steps across it end on it.
-  const Graph g(8, [](double x, double) { return std::abs(x); });
+/// Names the edges on x = 0 as barriers, in every other triangle alone.
+std::vector<std::uint8_t> middle_line(const Graph& g, std::size_t parity) {
   std::vector<std::uint8_t> barriers(g.triangles.size(), 0);
-  for (std::size_t t = 0; t < g.triangles.size(); ++t) {
+  for (std::size_t t = parity; t < g.triangles.size(); t += 2) {
     for (std::size_t j = 0; j < 3; ++j) {
       const bool is_middle = g.points[g.triangles[t][j]].x() == 0.0 &&
                              g.points[g.triangles[t][(j + 1) % 3]].x() == 0.0;
-      // Named on one side alone.
-      if (is_middle && t % 2 == 0) barriers[t] |= static_cast<std::uint8_t>(1u << j);
+      if (is_middle) barriers[t] |= static_cast<std::uint8_t>(1u << j);
     }
   }
-  const SurfaceTrack track(g.points, g.triangles, barriers);
+  return barriers;
+}
+
+TEST(SurfaceTrack, TakesABarrierThatOneSideNames) {
+  const Graph g(8, [](double x, double) { return std::abs(x); });
+  const auto right = static_cast<std::uint32_t>(g.triangles.size() - 1);
+  EXPECT_EQ(SurfaceTrack(g.points, g.triangles).patch(right), 0u);
+  for (const std::size_t parity : {0, 1}) {
+    EXPECT_NE(SurfaceTrack(g.points, g.triangles, middle_line(g, parity)).patch(right), 0u);
+  }
+}
+
+TEST(SurfaceTrack, DoesNotCrossABarrier) {
+  // The plane's middle line x = 0 is a barrier: steps across it end on it.
+  const Graph g(8, [](double x, double) { return std::abs(x); });
+  const SurfaceTrack track(g.points, g.triangles, middle_line(g, 0));
   const TrackPoint right = track.nearest({0.1, 0.1, 0.1}, track.at(at_vertex(track, 42).piece, 0));
   EXPECT_GT(right.position.x(), 0.0);
   const TrackPoint to = track.nearest({-0.3, 0.1, 0.3}, right);
@@ -343,6 +357,25 @@ TEST(SurfaceTrack, FindsTheSameWithLargeBalls) {
     }
     EXPECT_NEAR((found.position - p).norm(), least, 1e-14);
   }
+}
+
+TEST(SurfaceTrack, FindsTheSameFromSeveralThreads) {
+  const Mesh mesh = shapes::sphere_triangles(4);
+  const SurfaceTrack track(points_of(mesh), triangles_of(mesh));
+  const auto count = static_cast<std::uint32_t>(track.triangles());
+  const auto walk = [&](int threads) {
+    std::vector<Vec3> found(count);
+    Workers workers(threads);
+    workers.run(16, [&](std::size_t task) {
+      for (auto t = static_cast<std::uint32_t>(task); t < count; t += 16) {
+        shapes::Random random(t);
+        const TrackPoint from = track.at(t, 0);
+        found[t] = track.nearest(from.position + 0.2 * random_vec(random), from).position;
+      }
+    });
+    return found;
+  };
+  EXPECT_EQ(walk(1), walk(4));
 }
 
 }  // namespace
