@@ -215,7 +215,7 @@ class Reader {
     const Selection selected = selection("--equal-spacing", text);
     Prescription evenly{selected.text, {}, "equal_spacing"};
     try {
-      for (const Run& run : chains_of(in_.mesh, in_.topology, selected.vertices)) {
+      for (const auto& run : chains_of(in_.mesh, in_.topology, selected.vertices)) {
         const std::vector<Target> targets = space_evenly(in_.mesh.points(), run);
         evenly.targets.insert(evenly.targets.end(), targets.begin(), targets.end());
       }
