@@ -215,8 +215,9 @@ class Reader {
     const Selection selected = selection("--equal-spacing", text);
     Prescription evenly{selected.text, {}, "equal_spacing"};
     try {
-      for (const auto& run : chains_of(in_.mesh, in_.topology, selected.vertices)) {
-        const std::vector<Target> targets = space_evenly(in_.mesh.points(), run);
+      for (const Chain& chain :
+           chains_of(in_.mesh, in_.topology, selected.vertices, in_.topology_options)) {
+        const std::vector<Target> targets = space_evenly(in_.mesh.points(), chain);
         evenly.targets.insert(evenly.targets.end(), targets.begin(), targets.end());
       }
     } catch (const InvalidOption& error) {

@@ -16,21 +16,21 @@ namespace evenmesh {
 /// The vocabulary of constraints as text: one member for each option of the command line and key of
 /// a configuration file, which have the same names. Empty: not demanded.
 struct ConstraintText {
-  std::string fix = "auto";           // a selector; auto: what keeps the shape, see apply()
-  std::vector<std::string> free;      // selectors
-  std::vector<std::string> slide;     // "SEL on WHAT"
-  std::string surface;                // a file: short for a slide of all on surface=FILE
-  std::vector<std::string> symmetry;  // planes
-  std::vector<std::string> periodic;  // "A B"
-  std::string max_move;               // "0.1", "0.2h"
-  std::vector<std::string> limit;     // "SEL max-move D"
-  std::string max_deviation;          // "0.1", "0.5%"
-  std::string min_area;               // "0.1", "0.2m"
-  std::string min_volume;
-  std::string min_jacobian;                // "0.1"
-  std::vector<std::string> keep;           // "area", "volume of GROUP"
-  std::vector<std::string> equal_spacing;  // selectors
-  std::vector<std::string> prescribe;      // "SEL = dx,dy,dz", "SEL = file.csv", "mesh.obj"
+  std::string fix = "auto";                // a selector; auto: what keeps the shape, see apply()
+  std::vector<std::string> free = {};      // selectors
+  std::vector<std::string> slide = {};     // "SEL on WHAT"
+  std::string surface = {};                // a file: short for a slide of all on surface=FILE
+  std::vector<std::string> symmetry = {};  // planes
+  std::vector<std::string> periodic = {};  // "A B"
+  std::string max_move = {};               // "0.1", "0.2h"
+  std::vector<std::string> limit = {};     // "SEL max-move D"
+  std::string max_deviation = {};          // "0.1", "0.5%"
+  std::string min_area = {};               // "0.1", "0.2m"
+  std::string min_volume = {};
+  std::string min_jacobian = {};                // "0.1"
+  std::vector<std::string> keep = {};           // "area", "volume of GROUP"
+  std::vector<std::string> equal_spacing = {};  // selectors
+  std::vector<std::string> prescribe = {};      // "SEL = dx,dy,dz", "SEL = file.csv", "mesh.obj"
 };
 
 /// Where the text is to be understood.
@@ -39,6 +39,7 @@ struct ConstraintSetting {
   const Orientation& orientation;
   const Topology& topology;
   FileNames names = {};
+  TopologyOptions topology_options = {};               // those that the topology was found with
   std::function<std::string(Index)> vertex_name = {};  // for messages; empty: "vertex 7"
   /// Reads the other files that constraints name; throw what cannot be read.
   std::function<Mesh(const std::string& path)> read_mesh = {};

@@ -23,13 +23,13 @@ namespace evenmesh {
 
 /// Some vertices, and what asked for them: messages and summaries repeat the text.
 struct Selection {
-  std::string text;            // "--slide boundary on circle"; any words that say where it is from
-  std::vector<char> vertices;  // one flag per vertex
+  std::string text = {};  // "--slide boundary on circle"; any words that say where it is from
+  std::vector<char> vertices = {};  // one flag per vertex
 };
 
 /// Vertices that slide on a figure.
 struct Slide {
-  Selection selection;
+  Selection selection = {};
   SlideOn on = SlideOn::line;
   /// The figure itself, or another surface to be on: vertices off it are brought onto it. Null: a
   /// figure is fitted to every piece of the selection that edges connect; features, boundary and
@@ -41,35 +41,36 @@ struct Slide {
 
 /// Vertices in a plane stay in it, on top of what else holds for them.
 struct Symmetry {
-  std::string text;
-  Plane plane;
+  std::string text = {};
+  Plane plane = {};
 };
 
 /// Vertices of one side repeat the moves of those that lie opposite.
 struct Periodic {
-  std::string text;
-  std::vector<char> first, second;  // one flag per vertex each
+  std::string text = {};
+  std::vector<char> first = {};  // one flag per vertex
+  std::vector<char> second = {};
   /// From a vertex of the first side to its image; nothing: from box to box.
   std::optional<Vec3> translation = {};
 };
 
 /// Vertices that end at most this far from where they were.
 struct MoveLimit {
-  Selection selection;
-  Length distance;  // of_edges: times the mean length of the sides of cells around the vertex
+  Selection selection = {};
+  Length distance = {};  // of_edges: times the mean length of the sides of cells around the vertex
 };
 
 /// Vertices that are brought to other places and stay there.
 struct Prescription {
-  std::string text;
-  std::vector<Target> targets;
+  std::string text = {};
+  std::vector<Target> targets = {};
   std::string kind = "prescribed";  // the word for it in summaries
 };
 
 /// A function kept within bounds, and what asked for it.
 struct NamedBound {
-  std::string text;
-  Bound bound;
+  std::string text = {};
+  Bound bound = {};
 };
 
 /// Everything that may be demanded of the vertices of a mesh, one member for each word of the
@@ -77,13 +78,13 @@ struct NamedBound {
 struct Constraints {
   /// Exactly these stay. Nothing: what keeps the shape (see apply()).
   std::optional<Selection> fixed = {};
-  std::vector<Selection> free;  // without the defaults there
-  std::vector<Slide> slides;
-  std::vector<Symmetry> symmetries;
-  std::vector<Periodic> periodic;
-  std::vector<MoveLimit> move_limits;
-  std::vector<Prescription> prescriptions;
-  std::vector<NamedBound> bounds;
+  std::vector<Selection> free = {};  // without the defaults there
+  std::vector<Slide> slides = {};
+  std::vector<Symmetry> symmetries = {};
+  std::vector<Periodic> periodic = {};
+  std::vector<MoveLimit> move_limits = {};
+  std::vector<Prescription> prescriptions = {};
+  std::vector<NamedBound> bounds = {};
   /// How far what slides on a curved part of the input may be from it. On planar and volume meshes
   /// curved boundaries slide only if this is given; on surfaces it is kDefaultDeviation if not.
   std::optional<Length> max_deviation = {};  // of_diagonal: times that of the mesh's box
@@ -105,12 +106,12 @@ std::string_view name(Entry entry);
 
 /// One line of what holds: for people and for reports.
 struct ConstraintSummary {
-  std::string kind;  // "fixed", "slide on line", "max_move"
-  std::string text;  // as it was asked for, or "default"
+  std::string kind = {};  // "fixed", "slide on line", "max_move"
+  std::string text = {};  // as it was asked for, or "default"
   Entry entry = Entry::eliminated;
   std::size_t count = 0;
-  std::string unit;  // "vertices" or "cells"
-  std::string note;  // what else there is to know, one sentence without a full stop; or empty
+  std::string unit = {};  // "vertices" or "cells"
+  std::string note = {};  // what else there is to know, one sentence without a full stop; or empty
 };
 
 /// The vertices of cells that lie in a plane, up to 1e-7 of the diagonal of the mesh's box.
