@@ -115,6 +115,18 @@ std::function<Vec3(const Vec3&)> displacement(const std::string& formulas) {
   return [parsed](const Vec3& p) { return (*parsed)(p); };
 }
 
+void check_formulas(const std::vector<std::string>& phrases) {
+  for (const std::string& text : phrases) {
+    const std::string formulas = parse_prescribe(text).formulas;
+    if (formulas.empty()) continue;
+    try {
+      Displacement{formulas};
+    } catch (const InvalidOption& error) {
+      throw InvalidOption(fmt::format("--prescribe '{}': {}", shown(text), error.what()));
+    }
+  }
+}
+
 // How many vertices may do what.
 std::string freedoms(const Motion& motion, MeshType type) {
   std::size_t fixed = 0;
@@ -184,9 +196,7 @@ class Run {
   void prepare() {
     check(options_);
     check(arguments_.constraints);
-    for (const std::string& text : arguments_.constraints.prescribe) {
-      if (const std::string f = parse_prescribe(text).formulas; !f.empty()) Displacement{f};
-    }
+    check_formulas(arguments_.constraints.prescribe);
     const std::vector<CostChoice> costs = parse_costs(arguments_.costs);
     if (!(arguments_.global_length >= 0.0) || std::isinf(arguments_.global_length)) {
       throw InvalidOption(fmt::format("--global-length must be a positive length, not {}",
@@ -248,16 +258,11 @@ class Run {
   // The options with what was chosen where they left it open, but for what does not matter here.
   std::vector<std::pair<std::string, std::string>> effective() const {
     std::vector<std::pair<std::string, std::string>> result;
-    bool has_cost = false;
     for (const auto& [key, value] : arguments_.effective) {
-      if (key == "quiet" || key == "verbose" || key == "json") continue;
-      const bool is_cost = key == "cost" && !problem_.terms.empty();
-      result.emplace_back(key, is_cost ? '"' + cost_text(problem_) + '"' : value);
-      has_cost = has_cost || key == "cost";
+      if (key == "quiet" || key == "verbose" || key == "json" || key == "cost") continue;
+      result.emplace_back(key, value);
     }
-    if (!has_cost && !problem_.terms.empty()) {
-      result.emplace_back("cost", '"' + cost_text(problem_) + '"');
-    }
+    if (!problem_.terms.empty()) result.emplace_back("cost", '"' + cost_text(problem_) + '"');
     return result;
   }
 

@@ -157,8 +157,7 @@ TEST_F(Files, WithNothingToMoveComeOutByteForByteAndSayWhy) {
   const Outcome outcome = run({at("in.obj"), "-o", out(), "--json", at("report.json")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(bytes("out.obj"), testing::kCube);
-  EXPECT_NE(outcome.err.find("nothing may move: every vertex is kept by --fix "
-                             "boundary+features+interface"),
+  EXPECT_NE(outcome.err.find("nothing may move: every vertex is fixed (--fix auto)"),
             std::string::npos)
       << outcome.err;
   const json report = json::parse(bytes("report.json"));
