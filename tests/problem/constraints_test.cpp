@@ -320,6 +320,7 @@ TEST(Prescribed, PlacesAreTargetsOfFixedVertices) {
   EXPECT_EQ(square.problem.targets[1].vertex, 24u);
   EXPECT_EQ(square.problem.targets[1].position, Vec3(1.1, 1.1, 0));
   EXPECT_EQ(square.freedom(24), Freedom::fixed);
+  EXPECT_EQ(square.line("fixed", "default").count, 2u);
   const Constrained table(shapes::quad_grid(4), {.prescribe = {"all = moves.csv"}});
   ASSERT_EQ(table.problem.targets.size(), 1u);
   EXPECT_NEAR(table.problem.targets[0].position.y(), 0.1, 1e-15);

@@ -626,9 +626,11 @@ class Application {
   // ---- what holds -------------------------------------------------------------------------------
 
   void summarize_default(Hold hold, std::string_view kind, std::string_view note) {
+    const bool stays = hold == Hold::corner || hold == Hold::curved;
     std::size_t number = 0;
     for (Index v = 0; v < held_.size(); ++v) {
-      if (held_[v].hold == hold && slide_[v] == kNone && !is_fixed(v)) ++number;
+      const bool overruled = slide_[v] != kNone || is_fixed(v) || target_[v] != kNone;
+      if (held_[v].hold == hold && !overruled && moves(v) != stays) ++number;
     }
     if (number == 0) return;
     add(std::string(kind), "default", Entry::eliminated, number, "vertices", std::string(note));
