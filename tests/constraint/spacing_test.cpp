@@ -208,6 +208,22 @@ TEST(ChainsOf, FindsFeaturesOfSurfacesAndBlocks) {
   }
 }
 
+// Eight corners and flat diagonals between them, which are no features, however cells are wound.
+TEST(ChainsOf, LeavesOutFlatEdgesBetweenFeatures) {
+  const Mesh cube = shapes::cube_surface(1);
+  Cells triangles;
+  for (std::size_t c = 0; c < cube.cells().size(); ++c) {
+    const auto v = cube.cells().vertices(c);
+    triangles.add(CellKind::triangle, std::array<Index, 3>{v[0], v[1], v[2]});
+    triangles.add(CellKind::triangle, std::array<Index, 3>{v[0], v[2], v[3]});
+  }
+  const Mesh mesh({cube.points().begin(), cube.points().end()}, triangles);
+  const auto third = [](std::size_t cell) { return cell % 3 == 0; };
+  for (const Mesh& same : {mesh, shapes::reversed(mesh, third)}) {
+    EXPECT_EQ(find_chains(same, all).size(), 12u);
+  }
+}
+
 TEST(ChainsOf, FollowsInterfaces) {
   const Mesh mesh = shapes::grouped(shapes::quad_grid(4), [](std::size_t c) { return c >= 8; });
   const Topology topology = find_topology(mesh, find_orientation(mesh));
