@@ -171,7 +171,8 @@ def periodic():
 
 def max_move():
     d = Drawing(4, 3)
-    before = grid(4, 3, lambda i, j: (i + 0.3 * math.sin(5 * i + 3 * j), j + 0.2 * math.cos(7 * i + j)))
+    before = grid(4, 3, lambda i, j: (i + 0.3 * math.sin(5 * i + 3 * j),
+                                      j + 0.2 * math.cos(7 * i + j)))
     after = grid(4, 3)
     draw_grid(d, before, PALE)
     for row, other in zip(before, after):
@@ -179,13 +180,15 @@ def max_move():
             d.circle(p, 0.25)
             way = math.hypot(q[0] - p[0], q[1] - p[1])
             part = min(1, 0.25 / way) if way else 1
-            d.line(p, (p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1])), SLIDES, 2, arrow=True)
+            end = (p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1]))
+            d.line(p, end, SLIDES, 2, arrow=True)
     return d
 
 
 def max_deviation():
     d = Drawing(5, 2.4)
-    curve = [(2.5 - 2.5 * math.cos(t), 2.2 * math.sin(t)) for t in [math.pi * k / 60 for k in range(61)]]
+    curve = [(2.5 - 2.5 * math.cos(t), 2.2 * math.sin(t))
+             for t in [math.pi * k / 60 for k in range(61)]]
     d.path(curve, PALE, 26)
     d.path(curve, GUIDE, 1.5, "4 3")
     chain = [curve[k] for k in (0, 10, 21, 30, 42, 51, 60)]
@@ -209,12 +212,13 @@ def min_area():
 
 def keep():
     d = Drawing(8, 2.4)
-    blob = [(1.6 + (1.1 + 0.25 * math.sin(3 * t)) * math.cos(t), 1.2 + (1 + 0.2 * math.cos(5 * t)) * math.sin(t))
-            for t in [2 * math.pi * k / 18 for k in range(18)]]
+    turn = [2 * math.pi * k / 18 for k in range(18)]
+    blob = [(1.6 + (1.1 + 0.25 * math.sin(3 * t)) * math.cos(t),
+             1.2 + (1 + 0.2 * math.cos(5 * t)) * math.sin(t)) for t in turn]
     d.path(blob, MESH, 2, fill="#dbe9f4", close=True)
     d.text((1.6, 1.1), "A")
     d.line((3.2, 1.2), (4.4, 1.2), MESH, 2, arrow=True)
-    disk = [(6.2 + 1.08 * math.cos(t), 1.2 + 1.08 * math.sin(t)) for t in [2 * math.pi * k / 18 for k in range(18)]]
+    disk = [(6.2 + 1.08 * math.cos(t), 1.2 + 1.08 * math.sin(t)) for t in turn]
     d.path(disk, MESH, 2, fill="#dbe9f4", close=True)
     d.text((6.2, 1.1), "A")
     return d
@@ -222,9 +226,11 @@ def keep():
 
 def equal_spacing():
     d = Drawing(6, 2)
+
     def curve(s):
         return 6 * s, 0.5 + 0.9 * math.sin(math.pi * s) ** 2
-    for shift, marks in ((0.6, (0, 0.05, 0.3, 0.38, 0.8, 1)), (-0.5, (0, 0.2, 0.395, 0.605, 0.8, 1))):
+    before, after = (0, 0.05, 0.3, 0.38, 0.8, 1), (0, 0.2, 0.395, 0.605, 0.8, 1)
+    for shift, marks in ((0.6, before), (-0.5, after)):
         d.path([(curve(k / 60)[0], curve(k / 60)[1] + shift) for k in range(61)], GUIDE, 1.5, "4 3")
         points = [(curve(s)[0], curve(s)[1] + shift) for s in marks]
         d.path(points)
