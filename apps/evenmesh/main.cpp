@@ -119,13 +119,14 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return wrong_usage(explain(error, smooth.input.path));
   }
-  if (!smooth.config.empty()) read_config(smooth.config, app);
-  smooth.effective = effective_options(app);
   for (const CLI::App* verb : app.get_subcommands()) {
     const std::string misplaced = misplaced_option(app);
     if (misplaced.empty()) continue;
     return wrong_usage(fmt::format("'{}' before {} has no meaning", misplaced, verb->get_name()));
   }
+
+  if (!smooth.config.empty()) read_config(smooth.config, app);
+  smooth.effective = effective_options(app);
 
   Console console(common.quiet     ? Verbosity::quiet
                   : common.verbose ? Verbosity::verbose

@@ -168,6 +168,9 @@ TEST_F(ConstraintOptions, FromAFileAreJudgedWithTheirPlaceInIt) {
   expect("[slide]\na = 1\n", "slide takes a string or an array");
   expect("fix = \n", "job.toml:1:");
   expect("fix = 'a'\nfix = 'b'\n", "job.toml:2:");
+  const Outcome verb = run({"--config", "none.toml", "check", "in.obj"});
+  EXPECT_EQ(verb.exit_code, 2);
+  EXPECT_NE(verb.err.find("'--config' before check has no meaning"), std::string::npos) << verb.err;
   const Outcome missing = dry_run({"--config", "none.toml"});
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_NE(missing.err.find("none.toml: cannot be read"), std::string::npos) << missing.err;

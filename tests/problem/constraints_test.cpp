@@ -262,6 +262,13 @@ TEST(Slides, GoOntoAnotherSurface) {
   EXPECT_EQ(on.on_tracks(), sphere.point_count());
 }
 
+TEST(Slides, OntoAnotherSurfaceLeaveEdgesWhereTheyAre) {
+  const Constrained on(shapes::cube_surface(4), {.surface = "sphere.obj"});
+  EXPECT_EQ(on.problem.targets.size(), 54u);
+  EXPECT_EQ(on.count(Freedom::line), 36u);
+  EXPECT_EQ(on.count(Freedom::fixed), 8u);
+}
+
 TEST(Slides, OfAPlanarMeshStayInItsPlane) {
   expect_message(disk(24), {.slide = {"boundary on sphere"}}, {"planar mesh", "not on a sphere"});
   expect_message(disk(24), {.slide = {"boundary on circle:0,0,0,1,0,0,1"}},

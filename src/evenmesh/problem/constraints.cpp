@@ -224,15 +224,16 @@ class Application {
   // ---- slides -----------------------------------------------------------------------------------
 
   // What the shape hangs on stays: corners on every slide, edges where faces slide.
-  bool is_held(Index v, SlideOn on) {
+  bool is_held(Index v, const Slide& s) {
     if (held_[v].hold == Hold::nothing) return false;
     if (held_[v].hold == Hold::corner) return true;
-    if (is_curve(on) || !is_figure(on) || type_ == MeshType::planar) return false;
+    const bool on_faces = is_figure(s.on) ? !is_curve(s.on) : s.track != nullptr;
+    if (!on_faces || type_ == MeshType::planar) return false;
     return tracks().place[v] == VertexPlace::run;
   }
 
   bool takes_part(Index v, const Slide& s) {
-    return s.selection.vertices[v] && !is_fixed(v) && moves(v) && !is_held(v, s.on);
+    return s.selection.vertices[v] && !is_fixed(v) && moves(v) && !is_held(v, s);
   }
 
   // Who slides has no default; of several slides the first is noted.
