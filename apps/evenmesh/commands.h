@@ -3,10 +3,12 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/evenmesh/console.h"
 #include "apps/evenmesh/loading.h"
+#include "evenmesh/problem/constraint_text.h"
 #include "evenmesh/problem/problem.h"
 
 namespace evenmesh::app {
@@ -18,15 +20,20 @@ struct SmoothArguments {
   std::string costs;  // "local=0.3,barycenter=0.3"; empty: chosen by kind of cell
   bool scale_free = false;
   double global_length = 0.0;
-  std::string fix = "boundary+features+interface";
+  ConstraintText constraints;
+  std::string solver = "auto";
   int iterations = 200;
   double tolerance = 1e-6;
   double time_limit = 0.0;
   int threads = 0;
   bool allow_worse = false;
   bool keep_partial = false;
-  std::string json;     // empty: none; "-": stdout
+  std::string json;    // empty: none; "-": stdout
+  std::string config;  // a TOML file; empty: none
+  bool dry_run = false;
   std::string command;  // the whole command line
+  /// What holds in the end, from the command line, a file or by default: names and values in TOML.
+  std::vector<std::pair<std::string, std::string>> effective;
 };
 
 /// Smooths a file. Returns an exit code; throws Error for what is wrong with input or options.

@@ -14,7 +14,9 @@
 #include <unistd.h>
 
 #include "apps/evenmesh/commands.h"
+#include "apps/evenmesh/config.h"
 #include "apps/evenmesh/exit_code.h"
+#include "apps/evenmesh/options.h"
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/version.h"
 
@@ -30,7 +32,7 @@ extern "C" void on_interrupt(int signal) {
 }
 
 constexpr const char* kExamples = R"(Examples:
-  evenmesh part.obj -o even.obj          make it even; boundary, features and groups stay
+  evenmesh part.obj -o even.obj          make it even; shape, features and groups are kept
   evenmesh check part.stl                measure it; exit code 4 if a cell is inverted
   evenmesh grid.obj -o out.obj --cost local=0.3,barycenter=0.3 --fix boundary
 
@@ -39,8 +41,8 @@ hands back a mesh that is worse. Reads and patches OBJ and STL.
 )";
 
 constexpr const char* kExitCodes = R"(
-Selectors for --fix: all, none, boundary, features, corners, interface, non_manifold,
-  id:1,5-9, box:x0,y0,z0,x1,y1,z1, combined with + - & from left to right.
+Selectors (SEL): all, none, boundary, features, corners, interface, non_manifold, id:1,5-9,
+  box:x0,y0,z0,x1,y1,z1, group:NAME, combined with + - & from left to right.
 Exit codes: 0 done; 1 internal error; 2 wrong usage; 3 a file cannot be read or written;
   4 check found inverted cells; 5 refused, nothing written; 130 interrupted.
 )";
@@ -61,55 +63,6 @@ std::string command_line(int argc, char** argv) {
     text += '\'';
   }
   return text;
-}
-
-void add_input(CLI::App& app, InputArguments& input, bool required) {
-  auto* path = app.add_option("IN", input.path, "the mesh file: OBJ or STL");
-  if (required) path->required();
-  app.add_option("--feature-angle", input.feature_angle,
-                 "edges with a greater dihedral angle are features, in degrees")
-      ->capture_default_str();
-  app.add_option("--weld", input.weld_tolerance,
-                 "STL: corners at most this far apart are one vertex, in the file's unit")
-      ->capture_default_str();
-}
-
-void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
-  app.add_option("-o,--output", smooth.output, "the file to write");
-  app.add_flag("--in-place", smooth.in_place, "replace the input file");
-  app.add_option("--cost", smooth.costs,
-                 "what to minimise: local, global, barycenter with weights, as in "
-                 "local=0.3,barycenter=0.3 (default: local for triangles, that for the others)")
-      ->check([](const std::string& text) {
-        return text.empty() ? "no cost given; leave the option out for the default" : "";
-      });
-  app.add_flag("--scale-free", smooth.scale_free,
-               "count lengths relative to each cell's size: fine and coarse cells weigh the same");
-  app.add_option("--global-length", smooth.global_length,
-                 "edge length that the cost global pulls to (default: the mean of the input)");
-  app.add_option("--fix", smooth.fix, "vertices that stay")->capture_default_str();
-  app.add_option("--iterations", smooth.iterations, "stop after so many")->capture_default_str();
-  app.add_option("--tolerance", smooth.tolerance,
-                 "stop when the gradient has fallen to this part of its start")
-      ->capture_default_str();
-  app.add_option("--time-limit", smooth.time_limit, "stop iterating after so many seconds");
-  app.add_flag("--allow-worse", smooth.allow_worse,
-               "let quality get worse where the cost asks for it; cells still never turn over");
-  app.add_flag("--keep-partial", smooth.keep_partial, "on Ctrl-C write the best mesh so far");
-  app.add_option("--json", smooth.json, "write a report in JSON to this file (-: to stdout)");
-}
-
-struct CommonArguments {
-  int threads = 0;
-  bool quiet = false;
-  bool verbose = false;
-};
-
-void add_common(CLI::App& app, CommonArguments& common) {
-  app.add_option("--threads", common.threads, "0: one per core; results do not depend on it")
-      ->capture_default_str();
-  app.add_flag("-q,--quiet", common.quiet, "say nothing but errors");
-  app.add_flag("-v,--verbose", common.verbose, "say more");
 }
 
 // An option of smoothing that stands before a verb, where it would have no effect; empty if none.
@@ -171,6 +124,9 @@ int run(int argc, char** argv) {
     if (misplaced.empty()) continue;
     return wrong_usage(fmt::format("'{}' before {} has no meaning", misplaced, verb->get_name()));
   }
+
+  if (!smooth.config.empty()) read_config(smooth.config, app);
+  smooth.effective = effective_options(app);
 
   Console console(common.quiet     ? Verbosity::quiet
                   : common.verbose ? Verbosity::verbose

@@ -6,14 +6,18 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <memory>
 
 #include <fmt/core.h>
 #include <unistd.h>
 
 #include "apps/evenmesh/commands.h"
 #include "apps/evenmesh/exit_code.h"
+#include "apps/evenmesh/expression.h"
 #include "evenmesh/base/error.h"
-#include "evenmesh/constraint/selector.h"
+#include "evenmesh/base/text.h"
+#include "evenmesh/constraint/phrases.h"
 #include "evenmesh/io/output_file.h"
 #include "evenmesh/solver/guard.h"
 #include "evenmesh/solver/smooth.h"
@@ -59,12 +63,16 @@ void check_report_path(const std::string& json, const std::string& input,
 }
 
 std::string output_path(const SmoothArguments& arguments) {
+  if (arguments.dry_run && !arguments.json.empty()) {
+    throw InvalidOption("--dry-run writes nothing; leave --json out");
+  }
   if (arguments.in_place) {
     if (!arguments.output.empty()) {
       throw InvalidOption("-o and --in-place exclude each other; choose one");
     }
     return arguments.input.path;
   }
+  if (arguments.output.empty() && arguments.dry_run) return "";
   if (arguments.output.empty()) {
     throw InvalidOption(
         fmt::format("nowhere to write to; add -o OUT (or look first: evenmesh check {})",
@@ -85,6 +93,59 @@ std::string cost_text(const Problem& problem) {
   return text;
 }
 
+SolverKind solver_kind(const std::string& word) {
+  if (word == "auto") return SolverKind::automatic;
+  if (word == "multigrid") return SolverKind::multigrid;
+  if (word == "newton") return SolverKind::newton;
+  constexpr std::string_view kKnown[] = {"auto", "multigrid", "newton"};
+  throw InvalidOption(fmt::format("there is no solver '{}'{}; known are auto, multigrid, newton",
+                                  shown(word), suggestion(word, kKnown)));
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw IoError(path + ": cannot be read");
+  return text;
+}
+
+// One parser for all vertices; a std::function must be copyable.
+std::function<Vec3(const Vec3&)> displacement(const std::string& formulas) {
+  const auto parsed = std::make_shared<const Displacement>(formulas);
+  return [parsed](const Vec3& p) { return (*parsed)(p); };
+}
+
+void check_formulas(const std::vector<std::string>& phrases) {
+  for (const std::string& text : phrases) {
+    const std::string formulas = parse_prescribe(text).formulas;
+    if (formulas.empty()) continue;
+    try {
+      Displacement{formulas};
+    } catch (const InvalidOption& error) {
+      throw InvalidOption(fmt::format("--prescribe '{}': {}", shown(text), error.what()));
+    }
+  }
+}
+
+// How many vertices may do what.
+std::string freedoms(const Motion& motion, MeshType type) {
+  std::size_t fixed = 0;
+  std::size_t slide = 0;
+  for (Index v = 0; v < motion.size(); ++v) {
+    const bool bound = motion.slot(v) != Motion::kNone || type == MeshType::surface;
+    if (motion.freedom(v) == Motion::Freedom::fixed) {
+      ++fixed;
+    } else if (bound) {
+      ++slide;
+    }
+  }
+  const std::size_t free = motion.size() - fixed - slide;
+  return fmt::format("of {} {} {} fixed, {} {}, {} {} free",
+                     count_of(motion.size(), "vertex", "vertices"), with_commas(fixed),
+                     fixed == 1 ? "is" : "are", with_commas(slide), slide == 1 ? "slides" : "slide",
+                     with_commas(free), free == 1 ? "is" : "are");
+}
+
 // One smoothing run from file to file; the steps of the command in their order.
 class Run {
  public:
@@ -99,6 +160,7 @@ class Run {
     options_.max_iterations = arguments.iterations;
     options_.time_limit_seconds = arguments.time_limit;
     options_.threads = arguments.threads;
+    options_.solver = solver_kind(arguments.solver);
     options_.allow_worse = arguments.allow_worse;
     check_report_path(arguments.json, arguments.input.path, output_);
   }
@@ -106,6 +168,10 @@ class Run {
   int perform() {
     try {
       prepare();
+      if (arguments_.dry_run) {
+        show();
+        return kDone;
+      }
       solve();
       finish();
     } catch (const std::exception& error) {
@@ -129,6 +195,8 @@ class Run {
  private:
   void prepare() {
     check(options_);
+    check(arguments_.constraints);
+    check_formulas(arguments_.constraints.prescribe);
     const std::vector<CostChoice> costs = parse_costs(arguments_.costs);
     if (!(arguments_.global_length >= 0.0) || std::isinf(arguments_.global_length)) {
       throw InvalidOption(fmt::format("--global-length must be a positive length, not {}",
@@ -136,29 +204,84 @@ class Run {
     }
     input_ = load(arguments_.input, console_);
     // Whether it can be written is found out before the work, not after it. Leaves nothing behind.
-    { const OutputFile probe{output_}; }
+    if (!arguments_.dry_run) {
+      const OutputFile probe{output_};
+    }
     describe(input_, record_);
-    const Mesh& mesh = input_.file.mesh;
-    fixed_ = select_vertices(arguments_.fix, mesh, input_.topology);
-    problem_ =
-        make_problem(mesh, input_.orientation, fixed_,
-                     {.costs = costs,
-                      .scaling = arguments_.scale_free ? Scaling::scale_free : Scaling::absolute,
-                      .global_length = arguments_.global_length});
-    const std::size_t movable = problem_.motion.moving();
-    console_.say(fmt::format("{} mesh; {} of {} may move, the others are kept ({})",
-                             name(input_.orientation.type), with_commas(movable),
-                             count_of(mesh.point_count(), "vertex", "vertices"), arguments_.fix));
-    record_.options = {{"cost", cost_text(problem_)},
-                       {"scale_free", arguments_.scale_free ? "true" : "false"},
-                       {"fix", arguments_.fix},
-                       {"feature_angle", fmt::format("{}", arguments_.input.feature_angle)},
-                       {"iterations", fmt::format("{}", arguments_.iterations)},
-                       {"tolerance", fmt::format("{}", arguments_.tolerance)},
-                       {"time_limit", fmt::format("{}", arguments_.time_limit)},
-                       {"threads", fmt::format("{}", arguments_.threads)},
-                       {"allow_worse", arguments_.allow_worse ? "true" : "false"},
-                       {"weld", fmt::format("{}", arguments_.input.weld_tolerance)}};
+    constrain();
+    add_costs(input_.file.mesh,
+              {.costs = costs,
+               .scaling = arguments_.scale_free ? Scaling::scale_free : Scaling::absolute,
+               .global_length = arguments_.global_length},
+              problem_);
+    console_.say(fmt::format("{} mesh; {}", name(input_.orientation.type),
+                             freedoms(problem_.motion, input_.orientation.type)));
+    for (const ConstraintSummary& line : record_.constraints) console_.detail(in_one_line(line));
+    note_deviation();
+    for (const auto& [key, value] : effective()) record_.options.emplace_back(key, plain(value));
+  }
+
+  void constrain() {
+    const MeshFile& file = input_.file;
+    const ConstraintSetting setting{
+        .mesh = file.mesh,
+        .orientation = input_.orientation,
+        .topology = input_.topology,
+        .names = {.groups = file.group_names},
+        .topology_options = {.feature_angle = arguments_.input.feature_angle},
+        .vertex_name = [&file](Index v) { return file.patch->vertex_name(v); },
+        .read_mesh = [](const std::string& path) { return read_mesh(path).mesh; },
+        .read_text = read_text,
+        .displacement = displacement};
+    problem_.orientation = input_.orientation;
+    record_.constraints =
+        apply(file.mesh, input_.topology, understand(arguments_.constraints, setting), problem_);
+  }
+
+  // Who did not ask for it should know how far the surface may be left.
+  void note_deviation() const {
+    for (const ConstraintSummary& line : record_.constraints) {
+      if (line.kind != "max_deviation" || line.text != "default") continue;
+      console_.say(
+          fmt::format("no vertex leaves the input's surface by more than {:.4g} "
+                      "(--max-deviation)",
+                      problem_.max_deviation));
+    }
+  }
+
+  static std::string in_one_line(const ConstraintSummary& line) {
+    return fmt::format("{:<18} {:<10} {:>12} {:<8} {}{}", line.kind, name(line.entry),
+                       with_commas(line.count), line.unit, line.text,
+                       line.note.empty() ? "" : fmt::format(" ({})", line.note));
+  }
+
+  // The options with what was chosen where they left it open, but for what does not matter here.
+  std::vector<std::pair<std::string, std::string>> effective() const {
+    std::vector<std::pair<std::string, std::string>> result;
+    for (const auto& [key, value] : arguments_.effective) {
+      if (key == "quiet" || key == "verbose" || key == "json" || key == "cost") continue;
+      result.emplace_back(key, value);
+    }
+    if (!problem_.terms.empty()) result.emplace_back("cost", '"' + cost_text(problem_) + '"');
+    return result;
+  }
+
+  // A string of TOML without its quotation marks.
+  static std::string plain(const std::string& value) {
+    return value.size() > 1 && value.front() == '"' ? value.substr(1, value.size() - 2) : value;
+  }
+
+  // A configuration file that repeats the run, with what holds in its comments.
+  void show() const {
+    print(fmt::format("# {}\n#\n", arguments_.command));
+    print(fmt::format("# {:<18} {:<10} {:>12} {:<8} {}\n", "constraint", "how", "count", "",
+                      "asked for by"));
+    for (const ConstraintSummary& line : record_.constraints) {
+      print(fmt::format("# {}\n", in_one_line(line)));
+    }
+    print("\n");
+    for (const auto& [key, value] : effective()) print(fmt::format("{} = {}\n", key, value));
+    console_.say("dry run: nothing was written");
   }
 
   void solve() {
@@ -267,9 +390,10 @@ class Run {
     if (input_.file.mesh.cells().empty()) return "the mesh has no cells, so there is nothing to do";
     if (report.stop == Stop::nothing_to_move) {
       return fmt::format(
-          "nothing may move: every vertex is kept by --fix {} or has no area around it; to see "
-          "what there is: evenmesh info {}",
-          arguments_.fix, arguments_.input.path);
+          "nothing may move: every vertex is fixed (--fix {}) or has no area around it; to see "
+          "what "
+          "keeps it: evenmesh {} --dry-run",
+          arguments_.constraints.fix, arguments_.input.path);
     }
     if (report.promise == Promise::unimproved) {
       return "no vertex can follow the cost without making the worst cell or the mean shape worse; "
@@ -298,10 +422,18 @@ class Run {
     record_.output = output_;
   }
 
+  bool stays(Index v) const {
+    if (problem_.motion.freedom(v) != Motion::Freedom::fixed) return false;
+    const auto target =
+        std::lower_bound(problem_.targets.begin(), problem_.targets.end(), v,
+                         [](const Target& t, Index vertex) { return t.vertex < vertex; });
+    return target == problem_.targets.end() || target->vertex != v;
+  }
+
   void check_written(const Mesh& written) {
     const Mesh& before = input_.file.mesh;
     for (std::size_t v = 0; v < before.point_count(); ++v) {
-      if (problem_.motion.freedom(static_cast<Index>(v)) != Motion::Freedom::fixed) continue;
+      if (!stays(static_cast<Index>(v))) continue;
       // Bit for bit: a zero that loses its sign has changed too.
       if (std::memcmp(&before.points()[v], &written.points()[v], sizeof(Vec3)) == 0) continue;
       throw Refused(fmt::format("{} is fixed but would have moved",
@@ -345,7 +477,9 @@ class Run {
     const Mesh& mesh = input_.file.mesh;
     const CellQuality before = measure_cells(workers, mesh, mesh.points(), input_.orientation);
     const CellQuality after = measure_cells(workers, mesh, result_.points(), input_.orientation);
-    record_.worst = name_cells(input_, worst_cells(after, kWorstListed), before, after, fixed_);
+    std::vector<char> fixed(mesh.point_count());
+    for (Index v = 0; v < fixed.size(); ++v) fixed[v] = stays(v);
+    record_.worst = name_cells(input_, worst_cells(after, kWorstListed), before, after, fixed);
   }
 
   const SmoothArguments& arguments_;
@@ -356,7 +490,6 @@ class Run {
   const Timer total_;
   RunRecord record_;
   Input input_;
-  std::vector<char> fixed_;
   Problem problem_;
   Mesh result_;
   bool solved_ = false;

@@ -77,7 +77,7 @@ TEST_F(Files, KeepInterfacesBetweenGroupsAndCommentsBehindCoordinates) {
       "g left\nf 1 2 10\nf 2 5 10\nf 5 4 10\nf 4 1 10\nf 4 5 8 7\n"
       "g right\nf 2 3 6 5\nf 5 6 9 8\n";
   folder_.write("in.obj", text);
-  const Outcome outcome = run({at("in.obj"), "-o", out()});
+  const Outcome outcome = run({at("in.obj"), "-o", out(), "--fix", "boundary+features+interface"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::vector<std::string> changed = changed_lines(text, bytes("out.obj"));
   ASSERT_EQ(changed.size(), 1u);
@@ -157,8 +157,7 @@ TEST_F(Files, WithNothingToMoveComeOutByteForByteAndSayWhy) {
   const Outcome outcome = run({at("in.obj"), "-o", out(), "--json", at("report.json")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(bytes("out.obj"), testing::kCube);
-  EXPECT_NE(outcome.err.find("nothing may move: every vertex is kept by --fix "
-                             "boundary+features+interface"),
+  EXPECT_NE(outcome.err.find("nothing may move: every vertex is fixed (--fix auto)"),
             std::string::npos)
       << outcome.err;
   const json report = json::parse(bytes("report.json"));

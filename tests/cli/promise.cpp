@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "evenmesh/constraint/selector.h"
 #include "evenmesh/io/mesh_file.h"
 #include "evenmesh/mesh/topology.h"
+#include "evenmesh/problem/constraints.h"
 #include "evenmesh/quality/quality.h"
 #include "tests/io/only_coordinates.h"
 #include "tests/io/temporary_folder.h"
@@ -23,10 +23,11 @@ void expect_same_cells(const Cells& a, const Cells& b) {
 
 void expect_fixed_vertices_have_their_bits(const Mesh& before, const Mesh& after,
                                            const Orientation& orientation) {
-  const Topology topology = find_topology(before, orientation);
-  const std::vector<char> fixed = select_vertices("boundary+features+interface", before, topology);
-  for (std::size_t v = 0; v < before.point_count(); ++v) {
-    if (!fixed[v]) continue;
+  Problem problem;
+  problem.orientation = orientation;
+  apply(before, find_topology(before, orientation), {}, problem);
+  for (Index v = 0; v < before.point_count(); ++v) {
+    if (problem.motion.freedom(v) != Motion::Freedom::fixed) continue;
     ASSERT_EQ(std::memcmp(&before.points()[v], &after.points()[v], sizeof(Vec3)), 0)
         << "vertex " << v;
   }

@@ -16,7 +16,7 @@ namespace {
 class Selector : public testing::Test {
  protected:
   std::vector<char> select(std::string_view text, Index first_id = 1) const {
-    return select_vertices(text, mesh_, topology_, first_id);
+    return select_vertices(text, mesh_, topology_, {.first_id = first_id});
   }
   std::ptrdiff_t count(std::string_view text, Index first_id = 1) const {
     const auto flags = select(text, first_id);

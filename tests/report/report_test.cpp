@@ -6,6 +6,7 @@
 
 #include "evenmesh/base/version.h"
 #include "evenmesh/mesh/topology.h"
+#include "evenmesh/problem/constraints.h"
 #include "evenmesh/problem/problem.h"
 #include "evenmesh/report/run_record.h"
 #include "evenmesh/solver/smooth.h"
@@ -46,7 +47,11 @@ RunRecord record_of(Mesh mesh, const Options& options = {}) {
   record.type = orientation.type;
   const Topology topology = find_topology(mesh, orientation);
   record.components = topology.components;
-  const Problem problem = make_problem(mesh, orientation, topology.boundary);
+  Problem problem;
+  problem.orientation = orientation;
+  record.constraints =
+      apply(mesh, topology, {.fixed = Selection{"--fix boundary", topology.boundary}}, problem);
+  add_costs(mesh, {}, problem);
   record.report = smooth(mesh, problem, options);
   return record;
 }
@@ -72,6 +77,13 @@ TEST(RunReport, OfASuccessMatchesTheSchemaAndTheRun) {
   EXPECT_EQ(report["geometry"]["movable"], 25);
   EXPECT_EQ(report["worst"][0]["cell"], "face 1 (line 2)");
   EXPECT_EQ(report["notes"][0], "a note.");
+  EXPECT_EQ(report["constraints"][0], json({{"kind", "fixed"},
+                                            {"text", "--fix boundary"},
+                                            {"entry", "eliminated"},
+                                            {"count", 24},
+                                            {"unit", "vertices"},
+                                            {"note", ""}}));
+  EXPECT_EQ(report["constraints"][1]["kind"], "validity");
   const Distribution& shape = record.report.quality_after.of(Metric::shape);
   EXPECT_EQ(report["quality"]["after"]["shape"]["min"], shape.worst);
   EXPECT_EQ(report["quality"]["after"]["shape"]["max"], shape.best);
@@ -160,7 +172,7 @@ TEST(RunReport, HasEveryCellKindByItsName) {
   for (const shapes::Named& specimen : shapes::zoo()) {
     SCOPED_TRACE(specimen.name);
     RunRecord record;
-  record.status = "ok";
+    record.status = "ok";
     for (const CellKind kind : specimen.mesh.cells().kinds()) {
       ++record.cells[static_cast<std::size_t>(kind)];
     }

@@ -12,68 +12,47 @@
 #include <fmt/core.h>
 
 #include "evenmesh/base/error.h"
+#include "evenmesh/base/text.h"
 
 namespace evenmesh {
 namespace {
 
 constexpr std::string_view kKnown =
     "all, none, boundary, features, corners, interface, non_manifold, id:1,5-9, "
-    "box:x0,y0,z0,x1,y1,z1, joined by + (and), - (without) or & (in both)";
+    "box:x0,y0,z0,x1,y1,z1, group:NAME, joined by + (and), - (without) or & (in both)";
 
-constexpr std::array<std::string_view, 9> kWords = {
-    "all", "none", "boundary", "features", "corners", "interface", "non_manifold", "id:", "box:"};
+constexpr std::array<std::string_view, 10> kWords = {
+    "all",       "none",         "boundary", "features", "corners",
+    "interface", "non_manifold", "id:",      "box:",     "group:"};
 
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_operator(char c) { return c == '+' || c == '-' || c == '&'; }
 
-/// How many letters to change, add or leave out to get from one word to the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, diagonal + 1, row[j] + 1});
-    }
+/// Calls visit for everything a group may be called: "o part, g left" also "o part", "part",
+/// "g left" and "left".
+template <typename Visit>
+void for_each_name(std::string_view name, const Visit& visit) {
+  if (name.empty()) return;
+  visit(name);
+  while (!name.empty()) {
+    const std::size_t comma = std::min(name.find(", "), name.size());
+    const std::string_view part = name.substr(0, comma);
+    visit(part);
+    const std::size_t space = part.find(' ');
+    if (space != std::string_view::npos && space + 1 < part.size()) visit(part.substr(space + 1));
+    name.remove_prefix(std::min(comma + 2, name.size()));
   }
-  return row.back();
-}
-
-/// " (did you mean 'boundary'?)", or nothing if no word is near.
-std::string suggestion(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  if (word.size() > kLongest) return "";
-  std::string lower(word);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  const auto near = [&](std::string_view known) { return edit_distance(lower, known); };
-  const auto best =
-      std::min_element(kWords.begin(), kWords.end(),
-                       [&](std::string_view a, std::string_view b) { return near(a) < near(b); });
-  const std::size_t allowed = 1 + best->size() / 4;
-  return near(*best) <= allowed ? fmt::format(" (did you mean '{}'?)", *best) : "";
-}
-
-/// A piece of the text fit for a message, whatever its length and bytes: no known word has letters
-/// outside ASCII, and half a UTF-8 sequence would spoil a terminal or a JSON report.
-std::string shown(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  std::string result(text.substr(0, kLongest));
-  for (char& c : result) {
-    if (c < 0x20 || c > 0x7e) c = '?';
-  }
-  if (text.size() > kLongest) result += "...";
-  return result;
 }
 
 class Parser {
  public:
-  Parser(std::string_view text, const Mesh& mesh, const Topology& topology, Index first_id)
-      : text_(text), mesh_(mesh), topology_(topology), first_id_(first_id) {}
+  Parser(std::string_view text, const Mesh& mesh, const Topology& topology, const FileNames& names)
+      : text_(text),
+        mesh_(mesh),
+        topology_(topology),
+        first_id_(names.first_id),
+        groups_(names.groups) {}
 
   std::vector<char> parse() {
     skip_spaces();
@@ -116,6 +95,7 @@ class Parser {
     const std::string_view word = text_.substr(start, at_ - start);
     if (word == "id:") return ids(start);
     if (word == "box:") return box(start);
+    if (word == "group:") return group(start);
     if (word == "all") return constant(1);
     if (word == "none") return constant(0);
     if (word == "boundary") return topology_.boundary;
@@ -132,9 +112,9 @@ class Parser {
                                         : fmt::format("a term is expected before '{}'", rest()));
     }
     const std::string_view hyphenated = word_with_hyphens(start);
-    const std::string hint = suggestion(hyphenated);  // non-manifold
+    const std::string hint = suggestion(hyphenated, kWords);  // non-manifold
     if (!hint.empty()) fail(start, fmt::format("'{}' is not known{}", shown(hyphenated), hint));
-    fail(start, fmt::format("'{}' is not known{}", shown(word), suggestion(word)));
+    fail(start, fmt::format("'{}' is not known{}", shown(word), suggestion(word, kWords)));
   }
 
   std::string_view word_with_hyphens(std::size_t start) const {
@@ -218,6 +198,60 @@ class Parser {
     return result;
   }
 
+  std::vector<char> group(std::size_t start) {
+    skip_spaces();
+    const std::size_t place = at_;
+    std::string_view name = quoted();
+    if (name.empty()) {
+      name = longest_name();
+      if (name.empty()) name = word_with_hyphens(place);
+      at_ += name.size();
+    }
+    if (name.empty()) fail(start, "the name of a group is expected behind 'group:'");
+    const std::vector<char> wanted = groups_of(place, name);
+    const Cells& cells = mesh_.cells();
+    std::vector<char> result(mesh_.point_count(), 0);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (!wanted[cells.group(c)]) continue;
+      for (const Index v : cells.vertices(c)) result[v] = 1;
+    }
+    return result;
+  }
+
+  std::vector<char> groups_of(std::size_t place, std::string_view name) const {
+    try {
+      return find_groups(groups_, name);
+    } catch (const InvalidOption& error) {
+      fail(place, error.what());
+    }
+  }
+
+  /// What stands between two quotation marks here, passed over; empty where there are none.
+  std::string_view quoted() {
+    if (at_end() || (text_[at_] != '"' && text_[at_] != '\'')) return {};
+    const std::size_t end = text_.find(text_[at_], at_ + 1);
+    if (end == std::string_view::npos) fail(at_, "the closing quotation mark is missing");
+    const std::string_view inside = text_.substr(at_ + 1, end - at_ - 1);
+    if (inside.empty()) fail(at_, "the name of a group is empty");
+    at_ = end + 1;
+    return inside;
+  }
+
+  /// Names may hold spaces and operators, so the longest that fits counts.
+  std::string_view longest_name() const {
+    const std::string_view text = text_.substr(at_);
+    std::size_t longest = 0;
+    for (std::size_t g = 1; g < groups_.size(); ++g) {
+      for_each_name(groups_[g], [&](std::string_view name) {
+        if (name.size() <= longest || !text.starts_with(name)) return;
+        const bool ends = text.size() == name.size() || is_space(text[name.size()]) ||
+                          is_operator(text[name.size()]);
+        if (ends) longest = name.size();
+      });
+    }
+    return text.substr(0, longest);
+  }
+
   /// A coordinate; infinite is one too, for boxes without end.
   double number(std::size_t term_start) {
     const std::size_t start = at_;
@@ -258,14 +292,38 @@ class Parser {
   const Mesh& mesh_;
   const Topology& topology_;
   std::uint64_t first_id_;
+  std::span<const std::string> groups_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
+std::vector<char> find_groups(std::span<const std::string> groups, std::string_view name) {
+  std::vector<char> found(std::max<std::size_t>(groups.size(), 1), 0);
+  std::vector<std::string_view> known;
+  for (std::size_t g = 1; g < groups.size(); ++g) {
+    for_each_name(groups[g], [&](std::string_view other) {
+      found[g] = found[g] || other == name;
+      known.push_back(other);
+    });
+  }
+  if (std::find(found.begin(), found.end(), 1) != found.end()) return found;
+
+  constexpr std::size_t kListed = 8;
+  std::string text = fmt::format("there is no group '{}'", shown(name));
+  if (known.empty()) throw InvalidOption(text + ": the file has none");
+  const std::string hint = suggestion(name, known);
+  if (!hint.empty()) throw InvalidOption(text + hint);
+  for (std::size_t g = 1; g < groups.size() && g <= kListed; ++g) {
+    text += fmt::format("{}'{}'", g > 1 ? ", " : "; the file has ", shown(groups[g]));
+  }
+  if (groups.size() > kListed + 1) text += fmt::format(" and {} more", groups.size() - 1 - kListed);
+  throw InvalidOption(text);
+}
+
 std::vector<char> select_vertices(std::string_view text, const Mesh& mesh, const Topology& topology,
-                                  Index first_id) {
-  return Parser(text, mesh, topology, first_id).parse();
+                                  const FileNames& names) {
+  return Parser(text, mesh, topology, names).parse();
 }
 
 }  // namespace evenmesh

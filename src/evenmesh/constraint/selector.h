@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,21 +12,36 @@
 
 namespace evenmesh {
 
+/// What a file calls its vertices and groups.
+struct FileNames {
+  Index first_id = 1;  // of its first vertex (1 for OBJ, 0 for numbered-by-place)
+  std::span<const std::string> groups = {};  // by group number of a cell; entry 0 is "no group"
+};
+
+/// The groups that a name stands for, as one flag per group number. A file may put several names
+/// into one ("o part, g left, usemtl steel"): all, one of them ("g left") and its last word or
+/// words
+/// ("left") will do.
+/// @throws InvalidOption  there is none; the message has near names, or those that there are.
+std::vector<char> find_groups(std::span<const std::string> groups, std::string_view name);
+
 /// The vertices that a selector names.
 ///
 ///   selector = term { ("+" | "-" | "&") term }          read from left to right
 ///   term     = "all" | "none" | "boundary" | "features" | "corners" | "interface"
 ///            | "non_manifold" | "id:1,5-9" | "box:x0,y0,z0,x1,y1,z1"
+///            | "group:NAME"
 ///
 /// `+` joins, `-` takes away, `&` keeps what both have; spaces are ignored around terms. `features`
 /// includes non-manifold edges, which no smooth surface has. Vertex numbers in `id:` are those of
-/// the file, counted from first_id; a minus between two numbers makes a range, any other takes
-/// away. A box includes its faces, and its numbers may be infinite (inf).
-/// @param first_id  the number the file gives its first vertex (1 for OBJ, 0 for numbered-by-place)
+/// the file, counted from names.first_id; a minus between two numbers makes a range, any other
+/// takes away. A box includes its faces, and its numbers may be infinite (inf). `group:` selects
+/// the vertices of the cells of find_groups(); of several names that fit the longest counts, and
+/// quotation marks ('a b' or "a b") say where a name ends.
 /// @return  one flag per vertex
 /// @throws InvalidOption  the text does not parse (the message shows where and what is known), or
-///                        an id is not in the mesh.
+///                        an id or a group is not in the mesh.
 std::vector<char> select_vertices(std::string_view text, const Mesh& mesh, const Topology& topology,
-                                  Index first_id = 1);
+                                  const FileNames& names = {});
 
 }  // namespace evenmesh

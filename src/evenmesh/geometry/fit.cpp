@@ -107,9 +107,9 @@ struct SphereModel {
 
 /// A cylinder: unknowns are where the axis is across itself (2), the radius and, if its direction
 /// is sought too, by how much it tilts (2).
-template <bool kTilts>
+template <bool Tilts>
 struct CylinderModel {
-  static constexpr int kUnknowns = kTilts ? 5 : 3;
+  static constexpr int kUnknowns = Tilts ? 5 : 3;
   using Row = Eigen::Matrix<double, kUnknowns, 1>;
   Vec3 point = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
@@ -130,7 +130,7 @@ struct CylinderModel {
     gradient[0] = -out.dot(u);
     gradient[1] = -out.dot(v);
     gradient[2] = -1.0;
-    if constexpr (kTilts) {
+    if constexpr (Tilts) {
       gradient[3] = -along * out.dot(u);
       gradient[4] = -along * out.dot(v);
     }
@@ -140,7 +140,7 @@ struct CylinderModel {
     CylinderModel result = *this;
     result.point += step[0] * u + step[1] * v;
     result.radius += step[2];
-    if constexpr (kTilts) result.axis = (axis + step[3] * u + step[4] * v).normalized();
+    if constexpr (Tilts) result.axis = (axis + step[3] * u + step[4] * v).normalized();
     return result;
   }
 };
@@ -169,14 +169,14 @@ Fitted<Model> improved(const Model& start, Points points) {
   constexpr int kMostSteps = 100;
   constexpr double kMostDamping = 1e12;
   constexpr double kConverged = 1e-3 * kEpsilon;  // the size of a step, where the points' is 1
-  constexpr int n = Model::kUnknowns;
+  constexpr int kSize = Model::kUnknowns;
   Fitted<Model> best{start, sum_of_squares(start, points)};
   double damping = 1e-4;
   for (int step = 0; step < kMostSteps && damping < kMostDamping; ++step) {
     best.model.begin_step();
-    Eigen::Matrix<double, n, n> normal = Eigen::Matrix<double, n, n>::Zero();
-    Eigen::Matrix<double, n, 1> right = Eigen::Matrix<double, n, 1>::Zero();
-    Eigen::Matrix<double, n, 1> gradient;
+    Eigen::Matrix<double, kSize, kSize> normal = Eigen::Matrix<double, kSize, kSize>::Zero();
+    Eigen::Matrix<double, kSize, 1> right = Eigen::Matrix<double, kSize, 1>::Zero();
+    Eigen::Matrix<double, kSize, 1> gradient;
     for (const Vec3& p : points) {
       const double r = best.model.residual(p, gradient);
       normal += gradient * gradient.transpose();
@@ -184,9 +184,9 @@ Fitted<Model> improved(const Model& start, Points points) {
     }
     bool fell = false;
     for (; !fell && damping < kMostDamping; damping *= 10.0) {
-      Eigen::Matrix<double, n, n> damped = normal;
+      Eigen::Matrix<double, kSize, kSize> damped = normal;
       damped.diagonal() += damping * (normal.diagonal().array() + kEpsilon).matrix();
-      const Eigen::Matrix<double, n, 1> move = damped.ldlt().solve(right);
+      const Eigen::Matrix<double, kSize, 1> move = damped.ldlt().solve(right);
       if (!move.allFinite()) continue;
       if (move.norm() <= kConverged) return best;
       const Model moved = best.model.moved(move);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
+#include <Eigen/Eigenvalues>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -13,6 +15,7 @@
 #include "evenmesh/cost/global.h"
 #include "evenmesh/cost/local.h"
 #include "evenmesh/mesh/measure.h"
+#include "evenmesh/problem/constraints.h"
 
 namespace evenmesh {
 namespace {
@@ -91,6 +94,44 @@ Index find_root(std::vector<Index>& parent, Index v) {
   return v;
 }
 
+// Whether there is a place that all vertices of a piece may move to: the least-squares solution of
+// P_v (x - p_v) = 0, where P_v projects on what vertex v may not follow.
+class CommonPoint {
+ public:
+  void add(const Motion& motion, Index v, const Vec3& p) {
+    if (motion.freedom(v) == Motion::Freedom::free) return;
+    if (!origin_) origin_ = p;
+    const Vec3 at = p - *origin_;
+    Eigen::Matrix3d barred;
+    for (int i = 0; i < 3; ++i) barred.col(i) = Vec3::Unit(i) - motion.project(v, Vec3::Unit(i));
+    matrix_ += barred;
+    right_ += barred * at;
+    square_ += at.dot(barred * at);
+    size_ = std::max(size_, at.norm());
+  }
+
+  bool exists() const {
+    constexpr double kRank = 1e-9;
+    constexpr double kRounding = 1e-9;  // of sums over many vertices
+    if (!(size_ > 0.0)) return true;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrix_);
+    const Vec3 rotated = eigen.eigenvectors().transpose() * right_;
+    double residual = square_;
+    for (int i = 0; i < 3; ++i) {
+      const double value = eigen.eigenvalues()[i];
+      if (value > kRank * matrix_.trace()) residual -= rotated[i] * rotated[i] / value;
+    }
+    return !(residual > kRounding * size_ * size_);
+  }
+
+ private:
+  std::optional<Vec3> origin_;
+  Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Zero();
+  Vec3 right_ = Vec3::Zero();
+  double square_ = 0.0;
+  double size_ = 0.0;
+};
+
 }  // namespace
 
 std::vector<std::string> cost_names() {
@@ -99,21 +140,25 @@ std::vector<std::string> cost_names() {
   return names;
 }
 
-Problem make_problem(const Mesh& mesh, Orientation orientation, std::span<const char> fixed,
-                     const ProblemOptions& options) {
-  Problem problem;
-  problem.motion = Motion(mesh, orientation, fixed);
-  const auto points = mesh.points();
-  if (std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return p == points[0]; })) {
-    for (std::size_t v = 0; v < points.size(); ++v) problem.motion.fix(static_cast<Index>(v));
-  }
+void add_costs(const Mesh& mesh, const ProblemOptions& options, Problem& problem) {
   if (problem.motion.moving() > 0) {
-    const Setting setting{mesh, orientation, options};
+    const Setting setting{mesh, problem.orientation, options};
     const auto choices = options.costs.empty() ? default_costs(mesh) : options.costs;
     for (const CostChoice& choice : choices) problem.terms.push_back(make_term(choice, setting));
   }
-  problem.orientation = std::move(orientation);
   check_for_collapse(mesh, problem);
+}
+
+Problem make_problem(const Mesh& mesh, Orientation orientation, std::span<const char> fixed,
+                     const ProblemOptions& options) {
+  Problem problem;
+  problem.orientation = std::move(orientation);
+  Constraints constraints;
+  constraints.fixed = Selection{"fixed", {fixed.begin(), fixed.end()}};
+  // Only what slides on the surface has to know its edges.
+  const bool slides = problem.orientation.type == MeshType::surface;
+  apply(mesh, slides ? find_topology(mesh, problem.orientation) : Topology{}, constraints, problem);
+  add_costs(mesh, options, problem);
   return problem;
 }
 
@@ -121,6 +166,7 @@ void check_for_collapse(const Mesh& mesh, const Problem& problem) {
   const bool all_can = std::all_of(problem.terms.begin(), problem.terms.end(),
                                    [](const Term& term) { return term.cost->can_collapse(); });
   if (!all_can || problem.orientation.type == MeshType::surface) return;
+  if (problem.validity.min_size > 0.0 || !problem.bounds.empty()) return;
 
   std::vector<Index> parent(mesh.point_count());
   std::iota(parent.begin(), parent.end(), Index{0});
@@ -129,22 +175,19 @@ void check_for_collapse(const Mesh& mesh, const Problem& problem) {
     const Index root = find_root(parent, cells.vertices(c)[0]);
     for (const Index v : cells.vertices(c)) parent[find_root(parent, v)] = root;
   }
-  constexpr Index kNone = ~Index{0};
-  std::vector<Index> anchor(mesh.point_count(), kNone);  // per piece: a fixed vertex
-  std::vector<char> held(mesh.point_count(), 0);         // per piece: two fixed places
   // By vertices rather than by cells: in their order, and each once. One that no cell uses is a
   // piece of its own, and fixed.
+  std::vector<CommonPoint> common(mesh.point_count());  // per piece
   for (Index v = 0; v < mesh.point_count(); ++v) {
-    if (problem.motion.freedom(v) != Motion::Freedom::fixed) continue;
-    const Index root = find_root(parent, v);
-    if (anchor[root] == kNone) anchor[root] = v;
-    if (mesh.points()[anchor[root]] != mesh.points()[v]) held[root] = 1;
+    common[find_root(parent, v)].add(problem.motion, v, mesh.points()[v]);
   }
   for (Index v = 0; v < mesh.point_count(); ++v) {
-    if (problem.motion.freedom(v) == Motion::Freedom::fixed || held[find_root(parent, v)]) continue;
+    if (problem.motion.freedom(v) == Motion::Freedom::fixed) continue;
+    if (!common[find_root(parent, v)].exists()) continue;
     throw InvalidOption(fmt::format(
         "nothing keeps the piece of the mesh around vertex {} from shrinking to a point: its "
-        "costs are least at size 0 and it has not two fixed vertices; fix some (--fix boundary), "
+        "costs are least at size 0 and all its vertices may move to one place; fix some (--fix "
+        "boundary), "
         "add the cost global, or make the costs scale-free (--scale-free)",
         v));
   }

@@ -38,9 +38,9 @@ struct Problem {
   /// How far vertices on curves and surfaces of the input, and the edges and faces between them,
   /// may be from these; mesh length unit.
   double max_deviation = std::numeric_limits<double>::infinity();
-  /// Where vertices are to be brought before the rest is optimised: they were prescribed, or are to
-  /// slide on something that they are not on yet. Motion says whether they stay there. By
-  /// increasing vertex, each once.
+  /// Where vertices are to be brought before the rest is optimised, by increasing vertex, each
+  /// once: they were prescribed, or slide on something that they are not on yet. Motion says
+  /// whether they stay there.
   std::vector<Target> targets;
 };
 
@@ -60,7 +60,13 @@ struct ProblemOptions {
   double global_length = 0.0;
 };
 
-/// The problem for a mesh in which the given vertices stay.
+/// Puts the costs into a problem that is otherwise complete: see apply() in constraints.h.
+/// @throws InvalidOption  as make_problem()
+void add_costs(const Mesh& mesh, const ProblemOptions& options, Problem& problem);
+
+/// The problem for a mesh in which the given vertices stay and nothing else is demanded: the others
+/// move in the plane of a planar mesh, freely in a volume mesh, and on the input's surface, edges
+/// along themselves, on a surface mesh.
 /// @param fixed  per vertex: may not move
 /// @throws InvalidOption  an unknown cost (the message has the known ones), a weight that is not
 ///                        positive and finite, or nothing keeps the mesh from collapsing.
@@ -73,7 +79,8 @@ std::vector<std::string> cost_names();
 
 /// Throws InvalidOption, with the remedy, if the costs are least when a piece of the mesh shrinks
 /// to a point: all of them can collapse, and the piece (not a surface, where tangent planes hold
-/// it) has not two fixed vertices at different places.
+/// it) may move to a single place: fewer than two vertices are fixed, and no lines or
+/// planes hold the others apart.
 void check_for_collapse(const Mesh& mesh, const Problem& problem);
 
 }  // namespace evenmesh

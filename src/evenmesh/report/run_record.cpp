@@ -50,6 +50,11 @@ Json to_json(const NamedCell& cell) {
           {"fixed_vertices", cell.fixed_vertices}};
 }
 
+Json to_json(const ConstraintSummary& constraint) {
+  return {{"kind", constraint.kind},   {"text", constraint.text}, {"entry", name(constraint.entry)},
+          {"count", constraint.count}, {"unit", constraint.unit}, {"note", constraint.note}};
+}
+
 template <typename T>
 Json list_of(const std::vector<T>& items) {
   Json json = Json::array();
@@ -92,6 +97,7 @@ std::string to_json(const RunRecord& record) {
       {"input", input_of(record)},
       {"output", record.output.empty() ? Json(nullptr) : Json(record.output)},
       {"options", options},
+      {"constraints", list_of(record.constraints)},
       {"stop_reason", failed ? Json(nullptr) : Json(name(report.stop))},
       {"promise", failed ? Json(nullptr) : Json(name(report.promise))},
       {"solver", failed ? Json(nullptr) : Json(name(report.solver))},

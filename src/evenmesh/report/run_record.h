@@ -10,6 +10,7 @@
 
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/orientation.h"
+#include "evenmesh/problem/constraints.h"
 #include "evenmesh/quality/quality.h"
 #include "evenmesh/solver/report.h"
 
@@ -44,6 +45,7 @@ struct RunRecord {
   std::vector<std::pair<std::string, std::string>> options;  // effective, name and value
   std::vector<std::string> notes;
 
+  std::vector<ConstraintSummary> constraints;  // what held
   Report report;
   std::vector<NamedCell> worst;  // by shape afterwards, the worst first
 

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+//
+// Constraints from the command line and from configuration files, and what a dry run says of them.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/meshes.h"
+#include "tests/cli/process.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/support/shapes.h"
+
+namespace evenmesh {
+namespace {
+
+using testing::Outcome;
+using testing::read_bytes;
+using testing::run;
+using testing::TemporaryFolder;
+
+class ConstraintOptions : public ::testing::Test {
+ protected:
+  ConstraintOptions() {
+    testing::write_obj(shapes::quad_grid(4, 1.0, 0.2), folder_.path() / "in.obj");
+  }
+
+  Outcome start(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "in.obj");
+    return run(arguments, {.folder = folder_.path().string()});
+  }
+  Outcome dry_run(std::vector<std::string> arguments) {
+    arguments.push_back("--dry-run");
+    const std::size_t files = folder_.count_files();
+    const Outcome outcome = start(arguments);
+    EXPECT_EQ(folder_.count_files(), files);
+    return outcome;
+  }
+  void expect_refused(const std::vector<std::string>& arguments,
+                      const std::vector<std::string>& parts) {
+    const Outcome outcome = dry_run(arguments);
+    const std::string shown = ::testing::PrintToString(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << shown << outcome.err;
+    EXPECT_EQ(outcome.out, "") << shown;
+    for (const std::string& part : parts) {
+      EXPECT_NE(outcome.err.find(part), std::string::npos) << shown << outcome.err;
+    }
+  }
+  void expect_shown(const Outcome& outcome, const std::vector<std::string>& parts) {
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string& part : parts) {
+      EXPECT_NE(outcome.out.find(part), std::string::npos) << part << '\n' << outcome.out;
+    }
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ConstraintOptions, AreShownByADryRun) {
+  const Outcome outcome = dry_run({"--symmetry", "x=0", "--max-move", "0.2h"});
+  expect_shown(
+      outcome,
+      {"# fixed              eliminated            4 vertices default (corners)\n",
+       "# slide on line      eliminated           12 vertices default",
+       "# symmetry           eliminated            5 vertices --symmetry x=0\n",
+       "# max_move           inequality           25 vertices --max-move 0.2h\n",
+       "# validity           inequality           16 cells    default", "\nsymmetry = [\"x=0\"]\n",
+       "\nmax-move = \"0.2h\"\n", "\nfix = \"auto\"\n", "cost = \"local=0.3,barycenter=0.3\"\n"});
+  EXPECT_NE(outcome.err.find("of 25 vertices 4 are fixed, 12 slide, 9 are free"), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("dry run: nothing was written"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ConstraintOptions, OfADryRunCanBeFedBack) {
+  const Outcome first =
+      dry_run({"--slide", "box:0,0,0,1,0,0 on line", "--slide", "id:6,11 on plane:x=0", "--fix",
+               "corners", "--scale-free", "--iterations", "7", "--min-jacobian", "0.05"});
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  folder_.write("job.toml", first.out);
+  const Outcome second = dry_run({"--config", "job.toml"});
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  // But for the command line in the first line.
+  EXPECT_EQ(second.out.substr(second.out.find('\n')), first.out.substr(first.out.find('\n')));
+  EXPECT_NE(first.out.find("slide = [\"box:0,0,0,1,0,0 on line\", \"id:6,11 on plane:x=0\"]\n"),
+            std::string::npos)
+      << first.out;
+}
+
+TEST_F(ConstraintOptions, OfADryRunNeedNoOutputAndNoReport) {
+  EXPECT_EQ(dry_run({}).exit_code, 0);
+  EXPECT_EQ(dry_run({"-o", "out.obj"}).exit_code, 0);
+  expect_refused({"--json", "r.json"}, {"--dry-run writes nothing"});
+}
+
+TEST_F(ConstraintOptions, StandInTheReport) {
+  const Outcome outcome =
+      start({"-o", "out.obj", "--fix", "boundary+features+interface", "--json", "r.json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(read_bytes(folder_.path() / "r.json"));
+  EXPECT_EQ(report["schema_version"], "1.1");
+  const auto& first = report["constraints"][0];
+  EXPECT_EQ(first["kind"], "fixed");
+  EXPECT_EQ(first["text"], "--fix boundary+features+interface");
+  EXPECT_EQ(first["entry"], "eliminated");
+  EXPECT_EQ(first["count"], 16);
+  EXPECT_EQ(first["unit"], "vertices");
+  EXPECT_EQ(report["options"]["fix"], "boundary+features+interface");
+}
+
+TEST_F(ConstraintOptions, ThatContradictEachOtherNameAVertexOfTheFile) {
+  expect_refused({"--fix", "boundary", "--prescribe", "id:5 = 0,0.1,0"},
+                 {"evenmesh: --fix boundary and --prescribe 'id:5 = 0,0.1,0' contradict each other",
+                  "vertex 5 (line 5) is fixed, but would move by 0.1"});
+  expect_refused({"--slide", "boundary on circle"}, {"do not say which circle", "(line "});
+  expect_refused({"--fix", "group:wall"}, {"there is no group 'wall': the file has none"});
+  expect_refused({"--max-move", "0"}, {"--max-move '0'", "positive number"});
+  expect_refused({"--solver", "newtom"}, {"did you mean 'newton'?"});
+  expect_refused({"--periodic", "x=0 x=1", "--slide", "all of plane"}, {"'on' is missing"});
+  expect_refused({"--prescribe", "all = x,y,("}, {"--prescribe", "all = x,y,("});
+}
+
+TEST_F(ConstraintOptions, ReadOtherFiles) {
+  testing::write_obj(shapes::quad_grid(4), folder_.path() / "even.obj");
+  folder_.write("moves.csv", "id,dx,dy,dz\n3,0.01,0,0\n");
+  expect_shown(dry_run({"--prescribe", "even.obj"}),
+               {"# prescribed         eliminated            9 vertices"});
+  expect_shown(dry_run({"--prescribe", "all = moves.csv"}),
+               {"# prescribed         eliminated            1 vertices", "by 0.01 at most"});
+  const Outcome missing = dry_run({"--prescribe", "missing.obj"});
+  EXPECT_EQ(missing.exit_code, 3) << missing.err;
+  EXPECT_NE(missing.err.find("missing.obj: cannot be opened"), std::string::npos) << missing.err;
+}
+
+// ---- configuration files ------------------------------------------------------------------------
+
+TEST_F(ConstraintOptions, ComeFromAFile) {
+  folder_.write("job.toml",
+                "# a comment\nfix = 'corners'\nslide = ['boundary on line']\nmax_move = 0.05\n"
+                "min-jacobian = '0.1'\niterations = 5\nscale_free = true\ntolerance = 1\n"
+                "[cost]\nlocal = 0.5\nbarycenter = 1\n");
+  const Outcome outcome = dry_run({"--config", "job.toml", "--tolerance", "1e-3"});
+  expect_shown(outcome, {"fix = \"corners\"\n", "slide = [\"boundary on line\"]\n",
+                         "max-move = \"0.05\"\n", "min-jacobian = \"0.1\"\n", "iterations = 5\n",
+                         "scale-free = true\n", "tolerance = 1e-3\n", "local=0.5", "barycenter=1"});
+}
+
+TEST_F(ConstraintOptions, FromTheCommandLineWinOverAFile) {
+  folder_.write("job.toml", "fix = 'none'\niterations = 5\nsymmetry = ['y=0']\n");
+  const Outcome outcome =
+      dry_run({"--config", "job.toml", "--fix", "corners", "--symmetry", "x=0"});
+  expect_shown(outcome, {"fix = \"corners\"\n", "iterations = 5\n", "symmetry = [\"x=0\"]\n"});
+}
+
+TEST_F(ConstraintOptions, FromAFileAreJudgedWithTheirPlaceInIt) {
+  const auto expect = [&](const std::string& text, const std::string& message) {
+    folder_.write("job.toml", text);
+    expect_refused({"--config", "job.toml"}, {message});
+  };
+  expect("fix = 'corners'\nslid = ['x']\n",
+         "job.toml:2:1: there is no option 'slid' (did you mean 'slide'?)");
+  expect("max_mov = 1\n", "job.toml:1:1: there is no option 'max_mov' (did you mean 'max-move'?)");
+  expect("config = 'job.toml'\n", "job.toml:1:1: there is no option 'config'");
+  expect("iterations = 'many'\n", "job.toml:1:14: iterations takes a whole number");
+  expect("iterations = 1.5\n", "iterations takes a whole number");
+  expect("fix = 1\n", "job.toml:1:7: fix takes a string");
+  expect("slide = [1]\n", "slide takes a string or an array of strings");
+  expect("scale-free = 'yes'\n", "scale-free takes true or false");
+  expect("cost = 1\n", "cost takes a string or a table of weights");
+  expect("[cost]\nlocal = 'much'\n", "cost takes a string or a table of weights");
+  expect("[slide]\na = 1\n", "slide takes a string or an array");
+  expect("fix = \n", "job.toml:1:");
+  expect("fix = 'a'\nfix = 'b'\n", "job.toml:2:");
+  const Outcome verb = run({"--config", "none.toml", "check", "in.obj"});
+  EXPECT_EQ(verb.exit_code, 2);
+  EXPECT_NE(verb.err.find("'--config' before check has no meaning"), std::string::npos) << verb.err;
+  const Outcome missing = dry_run({"--config", "none.toml"});
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_NE(missing.err.find("none.toml: cannot be read"), std::string::npos) << missing.err;
+}
+
+}  // namespace
+}  // namespace evenmesh
