@@ -338,7 +338,7 @@ std::shared_ptr<const Function> volume_function(const Mesh& mesh, const Orientat
   check_that_it_closes(mesh, orientation, group);
   Polygons cells = surface_cells(mesh, orientation, group);
   const VolumeWithin as_wound(cells, mesh.point_count());
-  if (as_wound.evaluate(mesh.points(), {}) < 0.0) {
+  if (as_wound.at(mesh.points()) < 0.0) {
     for (std::int32_t& weight : cells.weights) weight = -weight;
   }
   return std::make_shared<VolumeWithin>(std::move(cells), mesh.point_count());
@@ -361,7 +361,7 @@ Bound make_keep(const Mesh& mesh, const Orientation& orientation, Keep what,
         "a total {} of {} cannot be kept: it must be positive and finite", name(what), *value));
   }
   auto function = keep_function(mesh, orientation, what, group);
-  const double kept = value ? *value : function->evaluate(mesh.points(), {});
+  const double kept = value ? *value : function->at(mesh.points());
   return {std::move(function), kept, kept};
 }
 

@@ -94,7 +94,7 @@ std::vector<Index> Flips::find(Workers& workers, Points x, Points x_new) const {
   return vertices;
 }
 
-std::vector<float> half_edge_reach(const Mesh& mesh) {
+std::vector<float> edge_reach(const Mesh& mesh) {
   std::vector<double> sum(mesh.point_count(), 0.0);
   std::vector<std::uint32_t> count(mesh.point_count(), 0);
   const Cells& cells = mesh.cells();
@@ -112,7 +112,7 @@ std::vector<float> half_edge_reach(const Mesh& mesh) {
   }
   std::vector<float> reach(mesh.point_count(), 0.0f);
   for (std::size_t v = 0; v < reach.size(); ++v) {
-    if (count[v] > 0) reach[v] = static_cast<float>(0.5 * sum[v] / count[v]);
+    if (count[v] > 0) reach[v] = static_cast<float>(sum[v] / count[v]);
   }
   return reach;
 }

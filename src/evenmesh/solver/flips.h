@@ -52,8 +52,8 @@ class Flips {
   bool allow_everything_ = false;
 };
 
-/// Half the mean length of the edges around each vertex: as far as the tangent plane of a curved
-/// surface stands in for the surface.
-std::vector<float> half_edge_reach(const Mesh& mesh);
+/// The mean length of the edges around each vertex. Surfaces have soft modes, along which all
+/// vertices of a patch drift together at little gain; no vertex needs to go further than that.
+std::vector<float> edge_reach(const Mesh& mesh);
 
 }  // namespace evenmesh

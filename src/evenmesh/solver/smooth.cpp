@@ -118,7 +118,8 @@ class Smoothing {
 
     const double least_shape = options_.allow_worse ? 0.0 : guard_.before().of(Metric::shape).worst;
     Flips flips(objective.layout(), mesh_.points(), problem_.orientation, least_shape);
-    if (problem_.orientation.type == MeshType::surface) flips.set_reach(half_edge_reach(mesh_));
+    if (problem_.orientation.type == MeshType::surface) flips.set_reach(edge_reach(mesh_));
+
     timer_ = Timer();
     descend(workers_, objective, preconditioner, flips, options_, points_, report_);
     report_.solve_seconds = timer_.seconds();
