@@ -15,6 +15,7 @@
 #include "apps/evenmesh/commands.h"
 #include "apps/evenmesh/exit_code.h"
 #include "apps/evenmesh/expression.h"
+#include "apps/evenmesh/holders.h"
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/text.h"
 #include "evenmesh/constraint/phrases.h"
@@ -32,6 +33,12 @@ class Refused : public Error {
  public:
   using Error::Error;
 };
+
+// Whether anything was demanded that may turn out not to be met.
+bool makes_demands(const ConstraintText& text) {
+  return !(text.max_move.empty() && text.limit.empty() && text.min_area.empty() &&
+           text.min_volume.empty() && text.min_jacobian.empty() && text.keep.empty());
+}
 
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;  // one that is not there is not the other
@@ -337,7 +344,12 @@ class Run {
       refuse();
       return;
     }
-    console_.say(record_.message);
+    if (report.unmet > 0 && makes_demands(arguments_.constraints)) {
+      record_.exit_code = kBelowTarget;
+      console_.complain(record_.message);
+    } else {
+      console_.say(record_.message);
+    }
     if (report.moved > 0) {
       console_.say(fmt::format("moved {}, by {:.4g} at most and {:.4g} on average",
                                count_of(report.moved, "vertex", "vertices"), report.max_move,
@@ -409,7 +421,52 @@ class Run {
       text += fmt::format("; {} pulled back so that nothing is worse than before",
                           count_of(report.pulled_back, "vertex", "vertices"));
     }
-    return text;
+    if (report.deviation > 0.0) {
+      text += fmt::format("; the shape is within {:.3g} of the input's", report.deviation);
+    }
+    return text + unmet_demands();
+  }
+
+  std::string unmet_demands() const {
+    const Report& report = record_.report;
+    if (report.unmet == 0) return "";
+    const FilePatch& patch = *input_.file.patch;
+    std::string first;
+    for (const ActiveCell& active : report.holding.cells) {
+      if (active.excess > 0.0 && first.empty()) {
+        first = patch.cell_name(active.cell) + " is too small or inverted" + reason_of(active.cell);
+      }
+    }
+    for (const ActiveBound& active : report.holding.moves) {
+      if (active.excess > 0.0 && first.empty()) {
+        first = fmt::format("{} is {:.3g} too far from where it was",
+                            patch.vertex_name(static_cast<Index>(active.number)), active.excess);
+      }
+    }
+    for (const ActiveBound& active : report.holding.bounds) {
+      if (active.excess > 0.0 && first.empty()) {
+        first = fmt::format("{} is off by {:.3g}", problem_.bounds[active.number].function->name(),
+                            active.excess);
+      }
+    }
+    return fmt::format(
+        "; {} not met: {}",
+        report.unmet == 1 ? "1 demand is" : with_commas(report.unmet) + " demands are, the first",
+        first);
+  }
+
+  // Why a cell cannot be had, as far as its own vertices say.
+  std::string reason_of(std::size_t cell) const {
+    const auto vertices = input_.file.mesh.cells().vertices(cell);
+    const auto bound = std::count_if(vertices.begin(), vertices.end(), [&](Index v) {
+      const Motion::Freedom freedom = problem_.motion.freedom(v);
+      return freedom == Motion::Freedom::fixed || freedom == Motion::Freedom::line;
+    });
+    if (bound == 0) return "; lower the demand";
+    return fmt::format(
+        " ({} of its {} vertices are fixed or on a line; is the boundary folded "
+        "there?)",
+        bound, vertices.size());
   }
 
   // The promise is judged once more on what can be read from the new file.
@@ -440,10 +497,14 @@ class Run {
                                 input_.file.patch->vertex_name(static_cast<Index>(v))));
     }
     Workers workers(arguments_.threads);
-    const Guard guard(workers, before, problem_.orientation);
-    const std::string breach =
-        guard.find_breach(workers, written.points(),
-                          arguments_.allow_worse ? Judge::inversion : Judge::quality_and_inversion);
+    Guard guard(workers, before, problem_.orientation);
+    const DeviationLimit limit(workers, before, problem_.orientation.type, problem_.max_deviation);
+    // Prescribed moves change the shape, and with it what quality can be had.
+    const bool same_shape = problem_.targets.empty();
+    if (same_shape && std::isfinite(problem_.max_deviation)) guard.set_limit(&limit);
+    const bool judge_quality = same_shape && !arguments_.allow_worse;
+    const std::string breach = guard.find_breach(
+        workers, written.points(), judge_quality ? Judge::quality_and_inversion : Judge::inversion);
     if (!breach.empty()) throw Refused("in the file as read back, " + breach);
   }
 
@@ -479,7 +540,14 @@ class Run {
     const CellQuality after = measure_cells(workers, mesh, result_.points(), input_.orientation);
     std::vector<char> fixed(mesh.point_count());
     for (Index v = 0; v < fixed.size(); ++v) fixed[v] = stays(v);
-    record_.worst = name_cells(input_, worst_cells(after, kWorstListed), before, after, fixed);
+    const std::vector<std::size_t> worst = worst_cells(after, kWorstListed);
+    record_.worst = name_cells(input_, worst, before, after, fixed);
+    if (record_.report.holding.of_vertex.empty()) return;
+    const Holders holders(problem_, record_.report.holding, *input_.file.patch);
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+      record_.worst[i].held_by = holders.of_cell(worst[i], mesh.cells().vertices(worst[i]));
+    }
+    record_.holding = holders.ranked();
   }
 
   const SmoothArguments& arguments_;

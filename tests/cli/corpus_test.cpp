@@ -85,8 +85,8 @@ void expect_clean_run(const fs::path& path) {
   const TemporaryFolder folder;
   const fs::path out = folder.path() / ("out" + path.extension().string());
   const fs::path report = folder.path() / "report.json";
-  const Outcome outcome =
-      run({path.string(), "-o", out.string(), "--json", report.string(), "--threads", "1"});
+  const Outcome outcome = run({path.string(), "-o", out.string(), "--iterations", "60", "--json",
+                               report.string(), "--threads", "1"});
   ASSERT_FALSE(outcome.timed_out);
   ASSERT_EQ(outcome.signal, 0) << outcome.err;
   ASSERT_TRUE(json::accept(read_bytes(report))) << outcome.err;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Surfaces, on which vertices keep to the input's tangent planes, and volumes.
+// Surfaces, on which vertices slide, and volumes.
 #include <gtest/gtest.h>
 
+#include "evenmesh/geometry/bvh.h"
 #include "evenmesh/solver/smooth.h"
 #include "tests/solver/setup.h"
 #include "tests/support/shapes.h"
@@ -23,20 +24,35 @@ Mesh uneven_sphere(int levels) {
   return with_points(sphere, std::move(points));
 }
 
-void expect_in_tangent_planes(const Mesh& before, const Mesh& after, const Motion& motion) {
-  for (std::size_t v = 0; v < before.point_count(); ++v) {
-    const Vec3 move = after.points()[v] - before.points()[v];
-    EXPECT_LE(std::abs(motion.normal(static_cast<Index>(v)).dot(move)), 1e-14) << "vertex " << v;
+// Of triangles; quads count as what their corners' mean divides them into.
+void expect_on_surface(const Mesh& before, const Mesh& after) {
+  std::vector<Vec3> points = copy_of(before.points());
+  std::vector<VertexTriple> triangles;
+  for (std::size_t c = 0; c < before.cells().size(); ++c) {
+    const auto cell = before.cells().vertices(c);
+    if (cell.size() == 3) {
+      triangles.push_back({cell[0], cell[1], cell[2]});
+      continue;
+    }
+    Vec3 sum = Vec3::Zero();
+    for (const Index v : cell) sum += before.points()[v];
+    const auto centre = static_cast<Index>(points.size());
+    points.emplace_back(sum / static_cast<double>(cell.size()));
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      triangles.push_back({cell[i], cell[(i + 1) % cell.size()], centre});
+    }
   }
+  const Bvh bvh(points, triangles);
+  for (const Vec3& p : after.points()) EXPECT_LE(bvh.closest(p).distance, 1e-12);
 }
 
-TEST(Surfaces, ASphereBecomesEvenWithinItsTangentPlanes) {
+TEST(Surfaces, ASphereBecomesEvenAndStaysWhatItIs) {
   Mesh mesh = uneven_sphere(3);
   const Mesh input = mesh;
   const Problem problem = problem_of(mesh);
   ASSERT_EQ(problem.motion.moving(), mesh.point_count());
   const Report report = smooth(mesh, problem);
-  expect_in_tangent_planes(input, mesh, problem.motion);
+  expect_on_surface(input, mesh);
   EXPECT_EQ(report.quality_after.inverted, 0u);
   EXPECT_GT(report.quality_after.of(Metric::shape).mean,
             report.quality_before.of(Metric::shape).mean + 0.01);
@@ -44,12 +60,12 @@ TEST(Surfaces, ASphereBecomesEvenWithinItsTangentPlanes) {
             report.quality_before.of(Metric::min_angle).worst);
 }
 
-TEST(Surfaces, AMixedSurfaceImprovesWithinItsTangentPlanes) {
+TEST(Surfaces, AMixedSurfaceImprovesAndStaysWhatItIs) {
   Mesh mesh = shapes::mixed_surface(12);
   const Mesh input = mesh;
   const Problem problem = problem_of(mesh);
   const Report report = smooth(mesh, problem);
-  expect_in_tangent_planes(input, mesh, problem.motion);
+  expect_on_surface(input, mesh);
   EXPECT_EQ(report.quality_after.inverted, 0u);
   EXPECT_GT(report.moved, 50u);
   EXPECT_GT(report.quality_after.of(Metric::shape).mean,

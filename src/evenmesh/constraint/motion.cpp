@@ -176,6 +176,11 @@ std::size_t Motion::moving() const {
                                                 [](Freedom f) { return f != Freedom::fixed; }));
 }
 
+bool Motion::has_kinks() const {
+  return std::any_of(tracks_.begin(), tracks_.end(),
+                     [](const auto& track) { return track && track->has_kinks(); });
+}
+
 const Track* Motion::track(Index vertex) const {
   const std::uint32_t own = slot(vertex);
   return own == kNone ? nullptr : tracks_[own].get();

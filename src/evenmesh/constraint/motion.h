@@ -71,6 +71,8 @@ class Motion {
   /// The vertex that this one repeats the moves of; itself if it goes its own way.
   Index leader(Index vertex) const { return leader_.empty() ? vertex : leader_[vertex]; }
   bool has_ties() const { return !ties_.empty(); }
+  /// True if some vertex slides on a surface of triangles.
+  bool has_kinks() const;
   /// The track a vertex is on, or null.
   const Track* track(Index vertex) const;
   /// The slot of a vertex that has a line or plane of its own, or kNone.

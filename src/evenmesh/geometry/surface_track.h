@@ -46,6 +46,7 @@ class SurfaceTrack final : public Track {
   TrackPoint nearest(const Vec3& p, const TrackPoint& from) const override;
   /// Zero: a triangle is flat.
   Vec3 curvature(const TrackPoint& point, const Vec3& t) const override;
+  bool has_kinks() const override { return true; }
 
   std::size_t triangles() const { return triangles_.size(); }
   const VertexTriple& vertices(std::uint32_t triangle) const { return triangles_[triangle]; }

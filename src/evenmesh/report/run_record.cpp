@@ -47,7 +47,15 @@ Json to_json(const NamedCell& cell) {
           {"shape_before", cell.shape_before},
           {"shape_after", cell.shape_after},
           {"inverted", cell.inverted},
-          {"fixed_vertices", cell.fixed_vertices}};
+          {"fixed_vertices", cell.fixed_vertices},
+          {"held_by", cell.held_by}};
+}
+
+Json to_json(const HoldingConstraint& holding) {
+  return {{"kind", holding.kind},
+          {"count", holding.count},
+          {"multiplier", holding.multiplier},
+          {"strongest", holding.strongest}};
 }
 
 Json to_json(const ConstraintSummary& constraint) {
@@ -115,7 +123,11 @@ std::string to_json(const RunRecord& record) {
         {"held", report.held},
         {"pulled_back", report.pulled_back},
         {"max_move", report.max_move},
-        {"mean_move", report.mean_move}}},
+        {"mean_move", report.mean_move},
+        {"deviation", report.deviation},
+        {"target_steps", report.target_steps}}},
+      {"unmet", report.unmet},
+      {"holding", list_of(record.holding)},
       {"worst", list_of(record.worst)},
       {"time",
        {{"read_seconds", record.read_seconds},

@@ -24,6 +24,15 @@ struct NamedCell {
   double shape_after = 0.0;
   bool inverted = false;  // afterwards
   std::size_t fixed_vertices = 0;
+  std::vector<std::string> held_by = {};  // what keeps it from getting better, the strongest first
+};
+
+/// A constraint that keeps the cost from falling further.
+struct HoldingConstraint {
+  std::string kind;            // "fixed", "slide", "validity", "max_move", or a function's name
+  std::size_t count = 0;       // vertices, cells or rows of which it holds some cost
+  double multiplier = 0.0;     // sum of their multipliers
+  std::string strongest = {};  // the one with the greatest multiplier, by its name in the file
 };
 
 /// Everything there is to say about one run of the program: what the JSON report is made from.
@@ -47,7 +56,8 @@ struct RunRecord {
 
   std::vector<ConstraintSummary> constraints;  // what held
   Report report;
-  std::vector<NamedCell> worst;  // by shape afterwards, the worst first
+  std::vector<NamedCell> worst;            // by shape afterwards, the worst first
+  std::vector<HoldingConstraint> holding;  // the strongest first
 
   double read_seconds = 0.0;
   double write_seconds = 0.0;  // including reading back and checking

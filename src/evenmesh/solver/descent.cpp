@@ -246,7 +246,8 @@ class Descent {
   bool turn_to_newton() {
     if (newton_ || options_.solver == SolverKind::multigrid || newton_refused_) return false;
     const bool automatic = options_.solver == SolverKind::automatic;
-    newton_refused_ = automatic && x_.size() > kMostVerticesForNewton;
+    newton_refused_ =
+        automatic && (x_.size() > kMostVerticesForNewton || objective_.motion().has_kinks());
     if (newton_refused_) return false;
     newton_.emplace(objective_, x_);
     newton_refused_ =
