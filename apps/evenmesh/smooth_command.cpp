@@ -27,6 +27,7 @@ namespace evenmesh::app {
 namespace {
 
 constexpr std::size_t kWorstListed = 10;
+constexpr std::size_t kInvertedListed = 1000;
 
 // Thrown while writing to keep the output from replacing anything.
 class Refused : public Error {
@@ -540,6 +541,11 @@ class Run {
     const CellQuality after = measure_cells(workers, mesh, result_.points(), input_.orientation);
     std::vector<char> fixed(mesh.point_count());
     for (Index v = 0; v < fixed.size(); ++v) fixed[v] = stays(v);
+    for (std::size_t c = 0; c < after.inverted.size(); ++c) {
+      if (after.inverted[c] == 0) continue;
+      if (record_.still_inverted.size() == kInvertedListed) break;
+      record_.still_inverted.push_back(input_.file.patch->cell_name(c));
+    }
     const std::vector<std::size_t> worst = worst_cells(after, kWorstListed);
     record_.worst = name_cells(input_, worst, before, after, fixed);
     if (record_.report.holding.of_vertex.empty()) return;

@@ -37,8 +37,9 @@ constexpr std::uintmax_t kLargest = 100'000'000;
 
 // These have come out without an inverted cell, and have to. The second's cells are not tangled
 // but wound both ways.
-const std::set<std::string> kUntangle = {"mfem__rt-2d-q3.mesh", "tutorials__primitiveVenturi.su2",
-                                         "no_flux_quad_s13.vtk"};
+const std::set<std::string> kUntangle = {"mfem__rt-2d-q3.mesh",  "tutorials__primitiveVenturi.su2",
+                                         "no_flux_quad_s13.vtk", "lego_tri_s14.vtk",
+                                         "naca_tri_s15.vtk",     "mfem__triple-pt-1.mesh"};
 
 fs::path corpus() {
   const char* const elsewhere = std::getenv("EVENMESH_CORPUS_DIR");

@@ -161,7 +161,10 @@ std::vector<Held> keep_shape(const Mesh& mesh, const Orientation& orientation,
   }
   for (const MeshTracks::Run& run : tracks.runs) {
     Stretches(mesh.points(), run, slack).for_each_within([&](Index v, const Vec3& direction) {
-      if (tracks.place[v] == VertexPlace::run) held[v] = {Hold::line, direction};
+      // What slides on its run is on it exactly; the line is up to the slack beside it.
+      if (tracks.place[v] == VertexPlace::run && held[v].hold != Hold::run) {
+        held[v] = {Hold::line, direction};
+      }
     });
   }
   if (orientation.type == MeshType::volume) {

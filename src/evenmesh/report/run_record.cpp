@@ -127,6 +127,7 @@ std::string to_json(const RunRecord& record) {
         {"deviation", report.deviation},
         {"target_steps", report.target_steps}}},
       {"unmet", report.unmet},
+      {"still_inverted", record.still_inverted},
       {"holding", list_of(record.holding)},
       {"worst", list_of(record.worst)},
       {"time",

@@ -56,8 +56,9 @@ struct RunRecord {
 
   std::vector<ConstraintSummary> constraints;  // what held
   Report report;
-  std::vector<NamedCell> worst;            // by shape afterwards, the worst first
-  std::vector<HoldingConstraint> holding;  // the strongest first
+  std::vector<NamedCell> worst;             // by shape afterwards, the worst first
+  std::vector<std::string> still_inverted;  // the first thousand, by their names in the file
+  std::vector<HoldingConstraint> holding;   // the strongest first
 
   double read_seconds = 0.0;
   double write_seconds = 0.0;  // including reading back and checking

@@ -51,7 +51,8 @@ bool Guard::offends(const CellQuality& quality, std::size_t cell, Points points,
     if (!quality_.inverted[cell]) return true;
     if (least_corner_of(cell, points) < least_corner_of(cell, input_.points())) return true;
   }
-  if (judge == Judge::inversion) return false;
+  // Cells that are not inverted any more outweigh what the worst value of a tangled mesh is worth.
+  if (judge == Judge::inversion || summary_.inverted > 0) return false;
   for (const Metric metric : kMetrics) {
     const double value = quality.of(metric)[cell];
     if (applies(metric, input_.cells().kind(cell)) &&

@@ -22,7 +22,8 @@ enum class Judge { quality_and_inversion, inversion };
 /// The promise that nothing gets worse, for one input mesh:
 ///
 /// - no cell is inverted that was not in the input, and none that was has a corner further over,
-/// - the worst value over the mesh of every metric is at least as good as in the input,
+/// - the worst value over the mesh of every metric is at least as good as in the input, unless
+///   the input has inverted cells: then getting rid of them comes first,
 /// - so is the mean of `shape`,
 /// - and the shape stays within a distance of the input's, if one is set.
 class Guard {

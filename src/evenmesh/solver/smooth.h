@@ -37,7 +37,8 @@ void check(const Options& options);
 /// Afterwards, in comparison with the input:
 /// - vertices that the problem fixes have the same bits,
 /// - no cell is inverted that was not, and none that was is worse,
-/// - for every metric the worst value over the mesh is at least as good, and the mean of `shape` is
+/// - for every metric the worst value over the mesh is at least as good (unless cells were inverted
+///   before: getting rid of them comes first), and the mean of `shape` is
 ///   at least as high (unless options.allow_worse).
 /// Where the minimiser would break this, vertices around the offending cells are pulled back
 /// towards where they were; where its mean of `shape` is lower than the input's, an earlier iterate
