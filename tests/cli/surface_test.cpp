@@ -4,6 +4,7 @@
 // bound, and the cells get better.
 #include <cstdlib>
 #include <filesystem>
+#include <ostream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,8 @@ struct Surface {
   const char* file;
   bool worst_improves;  // false: the worst cell lies between fixed vertices
 };
+
+void PrintTo(const Surface& surface, std::ostream* out) { *out << surface.file; }
 
 class OfTheCorpus : public ::testing::TestWithParam<Surface> {};
 

@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(Displacements, GuardOfTheZoo,
 
 TEST(Guard, JudgesTheMeanThatTheReportShows) {
   // More cells than one range of a sum: the order in which the mean adds up matters.
-  const Mesh mesh = shapes::triangle_grid(120, 1.0, 0.3);
+  const Mesh mesh = shapes::triangle_grid(120, 1.0, 0.2);
   const Orientation orientation = find_orientation(mesh);
   Workers workers;
   const Guard guard(workers, mesh, orientation);

@@ -24,7 +24,8 @@ constexpr double kGreatestRho = 100.0;
 constexpr double kRhoGrowth = 1.6;
 constexpr double kResidualFall = 0.5;  // what a round should bring at least
 constexpr int kMostRounds = 60;
-constexpr double kMet = 1e-6;     // what counts as meeting a demand, in units of v
+constexpr double kMet = 1e-6;            // what counts as meeting a demand, in units of v
+constexpr double kEquationSlack = 0.01;  // part of that for equations, which have no margin
 constexpr double kMargin = 2e-6;  // what is aimed at beyond the demand, so that it is met strictly
 
 // Triangles and tets have the same determinant at every corner.
@@ -443,7 +444,8 @@ double Lagrangian::residual(Workers& workers, Points x) const {
   double most = greatest.empty() ? 0.0 : *std::max_element(greatest.begin(), greatest.end());
   for (const FunctionRow& row : functions_) {
     const double v = value_of(row, value(row.bound, x, {}));
-    most = std::max(most, std::abs(row.equation ? v : std::min(v - kMargin, row.lambda / rho_)));
+    const double off = row.equation ? v / kEquationSlack : std::min(v - kMargin, row.lambda / rho_);
+    most = std::max(most, std::abs(off));
   }
   for (const Leash& leash : leashes_) {
     most = std::max(most, std::abs(std::min(value_of(leash, x) - kMargin, leash.lambda / rho_)));
