@@ -415,8 +415,9 @@ class Run {
     std::string text = how_it_stopped();
     if (report.held > 0) {
       text +=
-          fmt::format("; {} stopped early so that no cell gets too bad and none leaves the surface",
-                      count_of(report.held, "vertex", "vertices"));
+          fmt::format("; {} stopped early so that no cell gets too bad{}",
+                      count_of(report.held, "vertex", "vertices"),
+                      input_.orientation.type == MeshType::surface ? " and none goes too far" : "");
     }
     if (report.pulled_back > 0) {
       text += fmt::format("; {} pulled back so that nothing is worse than before",
@@ -450,10 +451,8 @@ class Run {
                             active.excess);
       }
     }
-    return fmt::format(
-        "; {} not met: {}",
-        report.unmet == 1 ? "1 demand is" : with_commas(report.unmet) + " demands are, the first",
-        first);
+    if (report.unmet == 1) return "; 1 demand is not met: " + first;
+    return fmt::format("; {} demands are not met, the first: {}", with_commas(report.unmet), first);
   }
 
   // Why a cell cannot be had, as far as its own vertices say.
