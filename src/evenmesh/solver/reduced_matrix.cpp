@@ -29,6 +29,7 @@ using Graph = std::vector<std::vector<std::uint32_t>>;
 using Order = std::vector<std::uint32_t>;
 
 Order minimum_degree_order(const Graph& graph) {
+  if (graph.empty()) return {};  // for which Eigen reads beyond its arrays
   const auto size = static_cast<int>(graph.size());
   Eigen::SparseMatrix<double> pattern(size, size);
   Eigen::VectorXi sizes(size);
