@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -498,10 +499,13 @@ class Run {
     }
     Workers workers(arguments_.threads);
     Guard guard(workers, before, problem_.orientation);
-    const DeviationLimit limit(workers, before, problem_.orientation.type, problem_.max_deviation);
     // Prescribed moves change the shape, and with it what quality can be had.
     const bool same_shape = problem_.targets.empty();
-    if (same_shape && std::isfinite(problem_.max_deviation)) guard.set_limit(&limit);
+    std::optional<DeviationLimit> limit;
+    if (same_shape && std::isfinite(problem_.max_deviation)) {
+      limit.emplace(before, problem_.orientation.type, problem_.max_deviation);
+      guard.set_limit(&*limit);
+    }
     const bool judge_quality = same_shape && !arguments_.allow_worse;
     const std::string breach = guard.find_breach(
         workers, written.points(), judge_quality ? Judge::quality_and_inversion : Judge::inversion);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "evenmesh/base/error.h"
 #include "evenmesh/constraint/function_of.h"
 #include "evenmesh/constraint/keep.h"
 #include "evenmesh/constraint/validity.h"
@@ -291,6 +292,15 @@ TEST(Function, IsKeptBetweenBothSidesOfAnInterval) {
     EXPECT_GE(length->at(mesh.points()), lower * (1.0 - 1e-6));
     EXPECT_LE(length->at(mesh.points()), upper * (1.0 + 1e-6));
   }
+}
+
+TEST(Function, OfVerticesThatAreNotThereIsRefused) {
+  Mesh mesh = shapes::quad_grid(2);
+  Problem problem = problem_of(mesh);
+  problem.bounds.push_back({function_of("reach", {3, 99}, [](auto x) { return x[1][0]; })});
+  EXPECT_THROW(smooth(mesh, problem), InvalidOption);
+  problem.bounds = {{function_of("height", {3}, [](auto x) { return x[0][1]; }), 2.0, 1.0}};
+  EXPECT_THROW(smooth(mesh, problem), InvalidOption);
 }
 
 TEST(Keep, TotalAreaOfAFreeMeshStays) {

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "evenmesh/geometry/closest_point.h"
+#include "evenmesh/constraint/triangulation.h"
 #include "evenmesh/geometry/curve_track.h"
 #include "evenmesh/geometry/surface_track.h"
 #include "evenmesh/mesh/extent.h"
@@ -39,7 +39,6 @@ class CurveNet {
     }
   }
 
-  std::size_t vertices() const { return begins_.size() - 1; }
   std::span<const Index> around(Index v) const {
     return {neighbours_.data() + begins_[v], neighbours_.data() + begins_[v + 1]};
   }
@@ -110,111 +109,24 @@ class RunFinder {
   std::vector<char> seen_;
 };
 
-/// The faces of a mesh as triangles.
-class Triangulation {
- public:
-  Triangulation(const Mesh& mesh, const Cells& faces, const CurveNet& net)
-      : points_(mesh.points().begin(), mesh.points().end()), net_(net) {
-    const double half = extent_of(mesh.points(), faces.corners()).half();
-    unit_ = half > 0.0 ? half : 1.0;
-    for (std::size_t face = 0; face < faces.size(); ++face) {
-      if (traits(faces.kind(face)).dimension == 2) add(faces.vertices(face));
-    }
-  }
-
-  std::shared_ptr<const SurfaceTrack> track() && {
-    return std::make_shared<const SurfaceTrack>(std::move(points_), std::move(triangles_),
-                                                barriers_);
-  }
-
- private:
-  void add(std::span<const Index> vertices) {
-    face_.clear();
-    for (const Index v : vertices) {
-      if (face_.empty() || face_.back() != v) face_.push_back(v);
-    }
-    while (face_.size() > 1 && face_.front() == face_.back()) face_.pop_back();
-    if (face_.size() < 3) return;
-    if (face_.size() == 3) {
-      add_triangle({face_[0], face_[1], face_[2]});
-      return;
-    }
-    const std::size_t first = triangles_.size();
-    const Vec3 normal = doubled_area(points_, face_, unit_);
-    points_.push_back(mean());
-    add_fan_around_mean();
-    if (all_agree(first, normal)) return;
-    points_.pop_back();
-    for (std::size_t corner = 0; corner < std::min(face_.size(), kMostTried); ++corner) {
-      drop(first);
-      add_fan_from(corner);
-      if (all_agree(first, normal)) return;
-    }
-    drop(first);
-    points_.push_back(mean());
-    add_fan_around_mean();
-  }
-
-  Vec3 mean() const {
-    // Differences first, which keeps the digits far from the origin and the range of double.
-    const Vec3 origin = points_[face_[0]];
-    Vec3 sum = Vec3::Zero();
-    for (const Index v : face_) {
-      sum += (points_[v] / 2.0 - origin / 2.0) / static_cast<double>(face_.size());
-    }
-    return origin + 2.0 * sum;
-  }
-
-  void add_fan_around_mean() {
-    const auto centre = static_cast<Index>(points_.size() - 1);
-    for (std::size_t i = 0; i < face_.size(); ++i) {
-      add_triangle({face_[i], face_[(i + 1) % face_.size()], centre});
-    }
-  }
-
-  void add_fan_from(std::size_t corner) {
-    const std::size_t n = face_.size();
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      add_triangle({face_[corner], face_[(corner + i) % n], face_[(corner + i + 1) % n]});
-    }
-  }
-
-  void add_triangle(const VertexTriple& triangle) {
-    std::uint8_t barriers = 0;
+/// The surface of the faces, which curves divide.
+std::shared_ptr<const SurfaceTrack> surface_of(const Mesh& mesh, const Cells& faces,
+                                               const CurveNet& net) {
+  const Triangulation triangulation(mesh.points(), faces);
+  const auto triangles = triangulation.triangles();
+  std::vector<std::uint8_t> barriers(triangles.size(), 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t j = 0; j < 3; ++j) {
-      const Index a = triangle[j];
-      const Index b = triangle[(j + 1) % 3];
-      if (is_curve(a, b)) barriers |= static_cast<std::uint8_t>(1u << j);
+      const Index a = triangles[t][j];
+      const Index b = triangles[t][(j + 1) % 3];
+      const bool crosses_face = triangulation.is_centre(a) || triangulation.is_centre(b);
+      if (!crosses_face && net.has(a, b)) barriers[t] |= static_cast<std::uint8_t>(1u << j);
     }
-    triangles_.push_back(triangle);
-    barriers_.push_back(barriers);
   }
-
-  bool is_curve(Index a, Index b) const {
-    return std::max(a, b) < net_.vertices() && net_.has(a, b);
-  }
-
-  void drop(std::size_t first) {
-    triangles_.resize(first);
-    barriers_.resize(first);
-  }
-
-  bool all_agree(std::size_t first, const Vec3& normal) const {
-    return std::all_of(triangles_.begin() + static_cast<std::ptrdiff_t>(first), triangles_.end(),
-                       [&](const VertexTriple& triangle) {
-                         return doubled_area(points_, triangle, unit_).dot(normal) > 0.0;
-                       });
-  }
-
-  static constexpr std::size_t kMostTried = 32;  // lest a polygon of many corners take for ever
-
-  std::vector<Vec3> points_;  // the mesh's, then the middles of faces
-  std::vector<VertexTriple> triangles_;
-  std::vector<std::uint8_t> barriers_;
-  const CurveNet& net_;
-  double unit_;
-  std::vector<Index> face_;  // the one at work, without repetitions
-};
+  return std::make_shared<const SurfaceTrack>(
+      triangulation.positions(mesh.points()),
+      std::vector<VertexTriple>(triangles.begin(), triangles.end()), barriers);
+}
 
 void hold(MeshTracks& result, std::size_t vertex) {
   result.place[vertex] = VertexPlace::corner;
@@ -294,7 +206,7 @@ void place_on_surface(const Mesh& mesh, const SurfaceTrack& surface,
 }
 
 void add_surface(const Mesh& mesh, const Cells& faces, const CurveNet& net, MeshTracks& result) {
-  const auto surface = Triangulation(mesh, faces, net).track();
+  const auto surface = surface_of(mesh, faces, net);
   result.tracks.push_back(surface);
   std::size_t patches = 0;
   const std::vector<std::uint32_t> numbers = number_patches(*surface, patches);

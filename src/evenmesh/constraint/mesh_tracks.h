@@ -31,10 +31,7 @@ enum class VertexPlace : std::uint8_t {
 /// mesh, or of a volume mesh's skin, are one SurfaceTrack that the curves divide into patches. A
 /// planar mesh has no surface track: its vertices move freely in the plane.
 ///
-/// Faces with four corners and more are cut into one triangle per edge, around the mean of their
-/// corners: so the corners are on the surface, the surface of a quad is the same whichever corner
-/// comes first, and its middle is that of the bilinear face. Where such a triangle would be turned
-/// over (a concave face), the face is cut from one of its corners, if one sees all the others.
+/// Faces with four corners and more count as the triangles that Triangulation makes of them.
 ///
 /// Held as corners are also the vertices of interfaces and of non-manifold faces within a volume,
 /// those in which two parts of the surface meet and share no edge, and those around which no face

@@ -15,6 +15,7 @@ struct Extent {
 
   Vec3 middle() const { return low / 2.0 + high / 2.0; }  // the sum of both might overflow
   double half() const { return (high / 2.0 - low / 2.0).maxCoeff(); }
+  double diagonal() const { return (high - low).stableNorm(); }
 };
 
 /// @return  a point at the origin if there are no vertices

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "evenmesh/base/vec3.h"
 #include "evenmesh/mesh/cell_kind.h"
@@ -16,6 +17,10 @@ namespace evenmesh {
 /// whole: against the plane's normal, or against the sense it is wound in. Surface cells in space
 /// have no such side and count as they are.
 double oriented_size(const Mesh& mesh, const Orientation& orientation, std::size_t cell);
+
+/// The mean length of the edges of cells around each vertex, an edge of two cells counted twice; 0
+/// where there are none.
+std::vector<double> local_edge_lengths(const Mesh& mesh);
 
 /// Area (or volume) of the ideal cell of a kind with all edges 1: a regular polygon, a regular
 /// tet, a cube, ...

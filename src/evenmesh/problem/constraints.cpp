@@ -11,6 +11,7 @@
 #include "evenmesh/base/error.h"
 #include "evenmesh/constraint/mesh_tracks.h"
 #include "evenmesh/mesh/extent.h"
+#include "evenmesh/mesh/measure.h"
 #include "evenmesh/problem/figures.h"
 #include "evenmesh/problem/periodic_pairs.h"
 #include "evenmesh/problem/shape_keeping.h"
@@ -41,31 +42,6 @@ std::string vertices(std::size_t number) {
   return number == 1 ? "1 vertex" : fmt::format("{} vertices", number);
 }
 
-// Mean length of the sides of cells around each vertex; 0 where there are none.
-std::vector<double> mean_sides(const Mesh& mesh) {
-  std::vector<double> sum(mesh.point_count(), 0.0);
-  std::vector<std::uint32_t> number(mesh.point_count(), 0);
-  const Cells& cells = mesh.cells();
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const auto corners = cells.vertices(c);
-    const int n = static_cast<int>(corners.size());
-    for (int j = 0; j < edge_count(cells.kind(c), n); ++j) {
-      const LocalEdge e = edge(cells.kind(c), n, j);
-      const Index a = corners[static_cast<std::size_t>(e.a)];
-      const Index b = corners[static_cast<std::size_t>(e.b)];
-      const double length = (mesh.points()[a] - mesh.points()[b]).norm();
-      for (const Index v : {a, b}) {
-        sum[v] += length;
-        ++number[v];
-      }
-    }
-  }
-  for (std::size_t v = 0; v < sum.size(); ++v) {
-    if (number[v] > 0) sum[v] /= number[v];
-  }
-  return sum;
-}
-
 // The steps of apply() in their order.
 class Application {
  public:
@@ -78,8 +54,7 @@ class Application {
         problem_(problem),
         motion_(problem.motion),
         type_(problem.orientation.type) {
-    const Extent box = extent_of(points_, mesh.cells().corners());
-    size_ = (box.high - box.low).stableNorm();
+    size_ = extent_of(points_, mesh.cells().corners()).diagonal();
   }
 
   std::vector<ConstraintSummary> perform() {
@@ -582,7 +557,7 @@ class Application {
     std::vector<double> sides;
     for (const MoveLimit& limit : constraints_.move_limits) {
       const bool relative = limit.distance.unit == Length::Unit::of_edges;
-      if (relative && sides.empty()) sides = mean_sides(mesh_);
+      if (relative && sides.empty()) sides = local_edge_lengths(mesh_);
       for (Index v = 0; v < limits.size(); ++v) {
         if (!limit.selection.vertices[v]) continue;
         limits[v] = std::min(limits[v], limit.distance.value * (relative ? sides[v] : 1.0));
@@ -766,8 +741,7 @@ std::string_view name(Entry entry) {
 }
 
 std::vector<char> vertices_in_plane(const Mesh& mesh, const Plane& plane) {
-  const Extent box = extent_of(mesh.points(), mesh.cells().corners());
-  const double slack = kInPlane * (box.high - box.low).stableNorm();
+  const double slack = kInPlane * extent_of(mesh.points(), mesh.cells().corners()).diagonal();
   std::vector<char> result(mesh.point_count(), 0);
   for (const Index v : mesh.cells().corners()) {
     result[v] = std::abs(plane.normal.dot(mesh.points()[v] - plane.point)) <= slack;

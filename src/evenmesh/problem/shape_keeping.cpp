@@ -12,11 +12,6 @@
 namespace evenmesh {
 namespace {
 
-double diagonal(const Mesh& mesh) {
-  const Extent box = extent_of(mesh.points(), mesh.cells().corners());
-  return (box.high - box.low).stableNorm();
-}
-
 // The straight stretches of a curve.
 class Stretches {
  public:
@@ -115,8 +110,7 @@ class SkinRings {
       ring_.insert(ring_.end(), corners.begin(), corners.end());
     }
     if (ring_.empty()) return std::nullopt;
-    const Extent box = extent_of(points, ring_);
-    const double size = (box.high - box.low).stableNorm();
+    const double size = extent_of(points, ring_).diagonal();
     return size > 0.0 ? common_plane(points, ring_, slack / size) : std::nullopt;
   }
 
@@ -146,7 +140,7 @@ void keep_faces(const Mesh& mesh, const Topology& topology, const MeshTracks& tr
 
 std::vector<Held> keep_shape(const Mesh& mesh, const Orientation& orientation,
                              const Topology& topology, const MeshTracks& tracks, Curved curved) {
-  const double slack = kStraightSlack * diagonal(mesh);
+  const double slack = kStraightSlack * extent_of(mesh.points(), mesh.cells().corners()).diagonal();
   const bool surface = orientation.type == MeshType::surface;
   std::vector<Held> held(mesh.point_count());
   for (Index v = 0; v < held.size(); ++v) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "evenmesh/base/parallel.h"
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/constraint/triangulation.h"
 #include "evenmesh/geometry/bvh.h"
 #include "evenmesh/geometry/deviation.h"
 #include "evenmesh/mesh/mesh.h"
@@ -20,8 +23,8 @@ namespace evenmesh {
 /// still takes the edges between vertices away from it.
 class DeviationLimit {
  public:
-  /// @param limit  mesh length unit; may be infinite
-  DeviationLimit(Workers& workers, const Mesh& input, MeshType type, double limit);
+  /// @param limit  mesh length unit
+  DeviationLimit(const Mesh& input, MeshType type, double limit);
 
   double limit() const { return limit_; }
 
@@ -32,17 +35,18 @@ class DeviationLimit {
   /// A part whose vertices are all where they were is on the input and the input is on it, so
   /// marked vertices going back ends the deviation.
   /// @param[in,out] marked  one flag per vertex; set, never cleared
-  void mark(Workers& workers, Points points, std::vector<char>& marked) const;
+  /// @return  the greatest distance, as measure()
+  double mark(Workers& workers, Points points, std::vector<char>& marked) const;
 
  private:
-  std::vector<Vec3> with_centres(Points points) const;
+  std::span<const VertexTriple> parts() const;
   Deviation deviation(Workers& workers, Points points) const;
 
   double limit_;
-  std::vector<std::vector<Index>> rings_;  // corners of the faces that have a centre
-  std::vector<VertexTriple> parts_;        // triangles, or segments that repeat a vertex
-  std::vector<Vec3> input_;                // points and centres
-  std::size_t points_ = 0;
+  Triangulation faces_;              // surface and volume meshes
+  std::vector<VertexTriple> edges_;  // planar meshes: segments, which repeat a vertex
+  std::vector<Vec3> input_;          // vertices and the centres of faces
+  std::optional<Bvh> input_bvh_;     // of input_; none if the mesh has no such parts
 };
 
 }  // namespace evenmesh

@@ -94,27 +94,4 @@ std::vector<Index> Flips::find(Workers& workers, Points x, Points x_new) const {
   return vertices;
 }
 
-std::vector<float> edge_reach(const Mesh& mesh) {
-  std::vector<double> sum(mesh.point_count(), 0.0);
-  std::vector<std::uint32_t> count(mesh.point_count(), 0);
-  const Cells& cells = mesh.cells();
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const auto cell = cells.vertices(c);
-    const int n = static_cast<int>(cell.size());
-    for (int j = 0; j < edge_count(cells.kind(c), n); ++j) {
-      const auto [a, b] = edge(cells.kind(c), n, j);
-      const double length = (mesh.points()[cell[a]] - mesh.points()[cell[b]]).norm();
-      for (const int end : {a, b}) {
-        sum[cell[end]] += length;
-        ++count[cell[end]];
-      }
-    }
-  }
-  std::vector<float> reach(mesh.point_count(), 0.0f);
-  for (std::size_t v = 0; v < reach.size(); ++v) {
-    if (count[v] > 0) reach[v] = static_cast<float>(sum[v] / count[v]);
-  }
-  return reach;
-}
-
 }  // namespace evenmesh

@@ -31,7 +31,7 @@ class Flips {
       : layout_(layout), input_(input), orientation_(orientation), least_shape_(least_shape) {}
 
   /// How far each vertex may get from where it is in the input (mesh length unit); empty: anywhere.
-  void set_reach(std::vector<float> reach) { reach_ = std::move(reach); }
+  void set_reach(std::vector<double> reach) { reach_ = std::move(reach); }
 
   /// Lets every step pass.
   void allow_everything(bool allow) { allow_everything_ = allow; }
@@ -48,12 +48,8 @@ class Flips {
   Points input_;
   const Orientation& orientation_;
   double least_shape_;
-  std::vector<float> reach_;
+  std::vector<double> reach_;
   bool allow_everything_ = false;
 };
-
-/// The mean length of the edges around each vertex. Surfaces have soft modes, along which all
-/// vertices of a patch drift together at little gain; no vertex needs to go further than that.
-std::vector<float> edge_reach(const Mesh& mesh);
 
 }  // namespace evenmesh

@@ -138,6 +138,7 @@ class Guard::Retreat {
         std::count_if(stage_.begin(), stage_.end(), [](int stage) { return stage > 0; }));
   }
   bool mean_fell() const { return mean_fell_; }
+  double deviation() const { return deviation_; }
   QualitySummary summary() const { return summarize(workers_, quality_); }
 
  private:
@@ -165,7 +166,7 @@ class Guard::Retreat {
 
   bool mark_deviating() {
     if (guard_.limit_ == nullptr) return false;
-    guard_.limit_->mark(workers_, points_, marked_);
+    deviation_ = guard_.limit_->mark(workers_, points_, marked_);
     bool any = false;
     for (std::size_t v = 0; v < marked_.size(); ++v) {
       if (marked_[v] && !may_go_back(static_cast<Index>(v))) marked_[v] = 0;
@@ -253,6 +254,7 @@ class Guard::Retreat {
   std::vector<char> marked_;         // per vertex: to go back one more stage
   CellQuality quality_;
   bool mean_fell_ = false;
+  double deviation_ = 0.0;
 };
 
 Guard::Result Guard::enforce(Workers& workers, std::vector<Vec3>& points, Judge judge,
@@ -262,6 +264,7 @@ Guard::Result Guard::enforce(Workers& workers, std::vector<Vec3>& points, Judge 
   Result result;
   result.mean_fell = retreat.mean_fell();
   result.pulled_back = retreat.pulled_back();
+  result.deviation = retreat.deviation();
   result.after = retreat.summary();
   const bool moved = !std::equal(points.begin(), points.end(), input_.points().begin());
   if (judge == Judge::inversion) {

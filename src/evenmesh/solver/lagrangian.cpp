@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "evenmesh/mesh/measure.h"
+#include "evenmesh/solver/determinants.h"
 
 namespace evenmesh {
 namespace {
@@ -28,100 +28,11 @@ constexpr double kMet = 1e-6;            // what counts as meeting a demand, in 
 constexpr double kEquationSlack = 0.01;  // part of that for equations, which have no margin
 constexpr double kMargin = 2e-6;  // what is aimed at beyond the demand, so that it is met strictly
 
-// Triangles and tets have the same determinant at every corner.
-std::size_t rows_of(CellKind kind) {
-  if (kind == CellKind::triangle || kind == CellKind::tet || kind == CellKind::polygon) return 1;
-  return traits(kind).corners.size();
-}
-
-// Twice a polygon's area about a direction.
-struct PolygonArea {
-  std::span<const Index> vertices;
-  Points x;
-  Vec3 up;
-
-  double determinant() const {
-    Vec3 sum = Vec3::Zero();
-    const Vec3& first = x[vertices[0]];
-    for (std::size_t i = 2; i < vertices.size(); ++i) {
-      sum += (x[vertices[i - 1]] - first).cross(x[vertices[i]] - first);
-    }
-    return sum.dot(up);
-  }
-  void add_gradient(double factor, std::span<Vec3> gradient) const {
-    const std::size_t n = vertices.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vec3 across = x[vertices[(i + 1) % n]] - x[vertices[(i + n - 1) % n]];
-      gradient[vertices[i]] += factor * across.cross(up);
-    }
-  }
-};
-
-// (p x q).up at a corner of a surface cell.
-struct PlaneCorner {
-  std::array<Index, 3> vertices;
-  Vec3 p, q, up;
-
-  PlaneCorner(Index at, Index next, Index previous, Points x, const Vec3& up_)
-      : vertices{at, next, previous}, p(x[next] - x[at]), q(x[previous] - x[at]), up(up_) {}
-  double determinant() const { return p.cross(q).dot(up); }
-  void add_gradient(double factor, std::span<Vec3> gradient) const {
-    const Vec3 by_p = factor * q.cross(up);
-    const Vec3 by_q = factor * up.cross(p);
-    gradient[vertices[0]] -= by_p + by_q;
-    gradient[vertices[1]] += by_p;
-    gradient[vertices[2]] += by_q;
-  }
-};
-
-// (p x q).r at a corner of a volume cell.
-struct SpaceCorner {
-  std::array<Index, 4> vertices;
-  Vec3 p, q, r;
-  double sign;
-
-  double determinant() const { return sign * p.cross(q).dot(r); }
-  void add_gradient(double factor, std::span<Vec3> gradient) const {
-    const Vec3 by_p = factor * sign * q.cross(r);
-    const Vec3 by_q = factor * sign * r.cross(p);
-    const Vec3 by_r = factor * sign * p.cross(q);
-    gradient[vertices[0]] -= by_p + by_q + by_r;
-    gradient[vertices[1]] += by_p;
-    gradient[vertices[2]] += by_q;
-    gradient[vertices[3]] += by_r;
-  }
-};
-
-// Calls body(k, corner) for the rows k of a cell.
-template <typename Body>
-void for_corners(CellKind kind, std::span<const Index> cell, Points x, const Vec3& up, double sign,
-                 const Body& body) {
-  if (kind == CellKind::triangle) {
-    body(0u, PlaneCorner(cell[0], cell[1], cell[2], x, up));
-  } else if (kind == CellKind::quad) {
-    for (std::uint32_t k = 0; k < 4; ++k) {
-      body(k, PlaneCorner(cell[k], cell[(k + 1) % 4], cell[(k + 3) % 4], x, up));
-    }
-  } else if (kind == CellKind::polygon) {
-    body(0u, PolygonArea{cell, x, up});
-  } else {
-    const auto corners = traits(kind).corners;
-    for (std::uint32_t k = 0; k < rows_of(kind); ++k) {
-      const auto& c = corners[k];
-      const Index at = cell[c.vertex];
-      const std::array<Index, 4> vertices = {at, cell[c.neighbours[0]], cell[c.neighbours[1]],
-                                             cell[c.neighbours[2]]};
-      body(k, SpaceCorner{vertices, x[vertices[1]] - x[at], x[vertices[2]] - x[at],
-                          x[vertices[3]] - x[at], sign});
-    }
-  }
-}
-
-bool repeats_a_vertex(std::span<const Index> cell) {
+// At a corner whose neighbour is itself the determinant is always 0. A polygon has one for all.
+bool repeats_a_vertex(CellKind kind, std::span<const Index> cell) {
+  if (kind == CellKind::polygon) return false;
   for (std::size_t i = 0; i < cell.size(); ++i) {
-    for (std::size_t j = i + 1; j < cell.size() && cell.size() <= 8; ++j) {
-      if (cell[i] == cell[j]) return true;
-    }
+    if (std::count(cell.begin(), cell.end(), cell[i]) > 1) return true;
   }
   return false;
 }
@@ -136,10 +47,10 @@ void Lagrangian::for_rows(const Layout::Block& block, Points x, const Body& body
     if (demand.scale == 0.0f) continue;
     const std::uint32_t number = block.numbers[i];
     const double scale = demand.scale / size_unit_;
-    for_corners(block.cells.kind, block.cells.cell(i), x, problem_.orientation.up(number),
-                problem_.orientation.sign(number), [&](std::uint32_t k, const auto& corner) {
-                  body(i, demand.row + k, scale * corner.determinant() - demand.least, corner);
-                });
+    for_determinants(block.cells.kind, block.cells.cell(i), x, problem_.orientation.up(number),
+                     problem_.orientation.sign(number), [&](std::uint32_t k, const auto& corner) {
+                       body(i, demand.row + k, scale * corner.determinant() - demand.least, corner);
+                     });
   }
 }
 
@@ -223,14 +134,14 @@ void Lagrangian::set_up_cells(Workers& workers) {
       const bool fixed = std::all_of(cell.begin(), cell.end(), [&](Index v) {
         return problem_.motion.freedom(v) == Motion::Freedom::fixed;
       });
-      if (!(size > 0.0) || fixed || repeats_a_vertex(cell)) continue;
+      if (!(size > 0.0) || fixed || repeats_a_vertex(kind, cell)) continue;
       if (traits(kind).dimension == 2 && up.isZero()) continue;
       const double unit = size * ideal;
       double own = std::numeric_limits<double>::infinity();
-      for_corners(kind, cell, input_.points(), up, problem_.orientation.sign(number),
-                  [&](std::uint32_t, const auto& corner) {
-                    own = std::min(own, corner.determinant() / unit);
-                  });
+      for_determinants(kind, cell, input_.points(), up, problem_.orientation.sign(number),
+                       [&](std::uint32_t, const auto& corner) {
+                         own = std::min(own, corner.determinant() / unit);
+                       });
       double least = validity.min_jacobian;
       if (least == 0.0) {
         least = Validity::kDefaultJacobian;
@@ -242,7 +153,7 @@ void Lagrangian::set_up_cells(Workers& workers) {
       demand.least = static_cast<float>(least);
       demand.weight =
           static_cast<float>(stiffnesses_[chunk] * std::pow(size, 2.0 / dimension_) / weight_unit_);
-      rows[block.first + i + 1] = static_cast<std::uint32_t>(rows_of(kind));
+      rows[block.first + i + 1] = static_cast<std::uint32_t>(determinants_of(kind));
     }
   });
   for (std::size_t i = 0; i < demands_.size(); ++i) {

@@ -12,6 +12,7 @@
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/parallel.h"
 #include "evenmesh/base/timer.h"
+#include "evenmesh/mesh/measure.h"
 #include "evenmesh/solver/bring.h"
 #include "evenmesh/solver/descent.h"
 #include "evenmesh/solver/flips.h"
@@ -63,6 +64,20 @@ void check_size(const Mesh& mesh) {
       size, kSmallest, kGreatest));
 }
 
+// Nobody else knows both the functions and the mesh.
+void check_bounds(const Mesh& mesh, const Problem& problem) {
+  for (const Bound& bound : problem.bounds) {
+    for (const Index v : bound.function->vertices()) {
+      if (v < mesh.point_count()) continue;
+      throw InvalidOption(fmt::format("{} depends on vertex {}, but the mesh has {} vertices",
+                                      bound.function->name(), v, mesh.point_count()));
+    }
+    if (bound.lower <= bound.upper) continue;
+    throw InvalidOption(fmt::format("{} cannot lie between {} and {}", bound.function->name(),
+                                    bound.lower, bound.upper));
+  }
+}
+
 // Adding 0 turns -0 into 0. Coordinates that have not moved keep their bits.
 void restore_unmoved(Points before, std::vector<Vec3>& after) {
   for (std::size_t v = 0; v < before.size(); ++v) {
@@ -94,9 +109,11 @@ class Smoothing {
         mesh_(mesh),
         problem_(problem),
         options_(options),
-        guard_(workers, mesh, problem.orientation),
-        limit_(workers, mesh, problem.orientation.type, problem.max_deviation) {
-    if (std::isfinite(problem.max_deviation)) guard_.set_limit(&limit_);
+        guard_(workers, mesh, problem.orientation) {
+    if (std::isfinite(problem.max_deviation)) {
+      limit_.emplace(mesh, problem.orientation.type, problem.max_deviation);
+      guard_.set_limit(&*limit_);
+    }
     report_.vertices = mesh.point_count();
     report_.movable = problem.motion.moving();
     report_.quality_before = report_.quality_after = guard_.before();
@@ -118,7 +135,9 @@ class Smoothing {
 
     const double least_shape = options_.allow_worse ? 0.0 : guard_.before().of(Metric::shape).worst;
     Flips flips(objective.layout(), mesh_.points(), problem_.orientation, least_shape);
-    if (problem_.orientation.type == MeshType::surface) flips.set_reach(edge_reach(mesh_));
+    // Surfaces have soft modes, along which all vertices of a patch drift together at little gain;
+    // no vertex needs to go further than to its neighbours.
+    if (problem_.orientation.type == MeshType::surface) flips.set_reach(local_edge_lengths(mesh_));
 
     timer_ = Timer();
     descend(workers_, objective, preconditioner, flips, options_, points_, report_);
@@ -131,12 +150,10 @@ class Smoothing {
     if (result.mean_fell) keep_best_iterate(objective, preconditioner, flips, result);
     report_.promise = result.promise;
     report_.pulled_back = result.pulled_back;
+    report_.deviation = result.deviation;
     report_.quality_after = result.after;
     report_.cost_after = objective.cost(workers_, points_);
     find_what_holds(objective);
-    if (std::isfinite(problem_.max_deviation)) {
-      report_.deviation = limit_.measure(workers_, points_);
-    }
     restore_unmoved(mesh_.points(), points_);
     count_moves(mesh_.points(), points_, report_);
     report_.check_seconds += timer_.seconds();
@@ -242,7 +259,7 @@ class Smoothing {
   const Options& options_;
   Timer timer_;
   Guard guard_;
-  const DeviationLimit limit_;
+  std::optional<DeviationLimit> limit_;
   Report report_;
   std::vector<Vec3> points_;
 };
@@ -276,6 +293,7 @@ Report bring_and_smooth(Workers& workers, Mesh& mesh, const Problem& problem,
 Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
   check(options);
   check_size(mesh);
+  check_bounds(mesh, problem);
   assert(problem.motion.size() == mesh.point_count());
   Workers workers(options.threads);
   const Timer ordering;

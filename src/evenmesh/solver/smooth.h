@@ -45,8 +45,9 @@ void check(const Options& options);
 /// may be kept instead. Report::promise says so.
 ///
 /// The result does not depend on the number of threads, bit for bit. About 500 bytes per vertex.
-/// @throws InvalidOption  an option is outside its range, or the mesh is so small or large that
-///                        squares of its lengths leave the range of doubles (1e-100, 1e100)
+/// @throws InvalidOption  an option is outside its range, a bound names a vertex that is not there
+///                        or has its limits the wrong way round, or the mesh is so small or large
+///                        that squares of its lengths leave the range of doubles (1e-100, 1e100)
 /// @pre  the problem was made for this mesh (or one with the same connectivity)
 Report smooth(Mesh& mesh, const Problem& problem, const Options& options = {});
 
