@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/constraint/motion.h"
 
+#include <algorithm>
+#include <memory>
+#include <utility>
+
 #include <gtest/gtest.h>
 
+#include "evenmesh/geometry/analytic_tracks.h"
+#include "evenmesh/geometry/curve_track.h"
+#include "evenmesh/geometry/surface_track.h"
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
 
@@ -129,6 +136,62 @@ TEST(Motion, GoesWithItsVerticesWhenTheyAreRenumbered) {
 }
 
 TEST(Motion, OfNothingIsNothing) { EXPECT_EQ(motion_of(Mesh()).moving(), 0u); }
+
+TEST(Motion, MovesTiedVerticesTogether) {
+  const Mesh mesh = shapes::triangle_grid(3);
+  Motion motion = motion_of(mesh);
+  motion.tie(3, 0, mesh.points());
+  motion.tie(15, 12, mesh.points());
+  motion.tie(12, 0, mesh.points());  // two pairs become one class
+  for (const Index v : {0, 3, 12, 15}) {
+    EXPECT_EQ(motion.leader(v), 0u);
+    std::vector<Index> together;
+    motion.for_tied(v, [&](Index u) { together.push_back(u); });
+    std::sort(together.begin(), together.end());
+    EXPECT_EQ(together, (std::vector<Index>{0, 3, 12, 15}));
+  }
+  Workers workers;
+  std::vector<Vec3> gradient(mesh.point_count(), Vec3(1, 2, 0));
+  motion.reduce(workers, motion.start(), gradient);
+  EXPECT_EQ(gradient[0], Vec3(4, 8, 0));
+  EXPECT_EQ(gradient[15], Vec3(0, 0, 0));
+  motion.fix(15);
+  for (const Index v : {0, 3, 12, 15}) EXPECT_EQ(motion.freedom(v), Freedom::fixed);
+}
+
+TEST(Motion, LeavesATrackInAPlaneOnlyIfAllOfItIsThere) {
+  const Mesh mesh = shapes::tet_grid(1);
+  const auto circle = std::make_shared<CircleTrack>(Vec3::Zero(), Vec3::UnitZ(), 1.0);
+  const TrackPoint at{Vec3::UnitX(), Vec3::UnitY(), 0};
+  Motion motion = motion_of(mesh);
+  motion.put_on_track(0, circle, at);
+  motion.keep_in_plane(0, at.position, Vec3::UnitZ());
+  EXPECT_EQ(motion.freedom(0), Freedom::line);
+  motion.keep_in_plane(0, at.position, Vec3::UnitX());  // tangent here, and nowhere else
+  EXPECT_EQ(motion.freedom(0), Freedom::fixed);
+
+  // A strip that is flat at first and then bends up: one patch.
+  const auto strip = std::make_shared<SurfaceTrack>(
+      std::vector<Vec3>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0.3}, {2, 1, 0.3}},
+      std::vector<VertexTriple>{{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}});
+  motion.put_on_track(1, strip, strip->at(0, 0));
+  motion.keep_in_plane(1, Vec3::Zero(), Vec3::UnitZ());
+  EXPECT_EQ(motion.freedom(1), Freedom::fixed);
+  const auto flat =
+      std::make_shared<SurfaceTrack>(std::vector<Vec3>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}},
+                                     std::vector<VertexTriple>{{0, 2, 1}, {1, 2, 3}});
+  motion.put_on_track(2, flat, flat->at(0, 0));
+  motion.keep_in_plane(2, Vec3::Zero(), Vec3::UnitZ());
+  EXPECT_EQ(motion.freedom(2), Freedom::plane);
+  const auto arc =
+      std::make_shared<CurveTrack>(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 3, 0}});
+  for (const auto& [normal, freedom] : {std::pair{Vec3(Vec3::UnitZ()), Freedom::line},
+                                        std::pair{Vec3(Vec3::UnitY()), Freedom::fixed}}) {
+    motion.put_on_track(3, arc, arc->at(0));
+    motion.keep_in_plane(3, Vec3::Zero(), normal);
+    EXPECT_EQ(motion.freedom(3), freedom);
+  }
+}
 
 }  // namespace
 }  // namespace evenmesh

@@ -12,7 +12,7 @@
 #include "evenmesh/constraint/keep.h"
 #include "evenmesh/constraint/validity.h"
 #include "evenmesh/geometry/analytic_tracks.h"
-#include "evenmesh/solver/bring.h"
+#include "evenmesh/solver/guard.h"
 #include "evenmesh/solver/lagrangian.h"
 #include "evenmesh/solver/objective.h"
 #include "evenmesh/solver/smooth.h"
@@ -63,8 +63,7 @@ double least_area(const Mesh& mesh) {
   return least;
 }
 
-// ---- against Ipopt
-// -------------------------------------------------------------------------------
+// ---- against Ipopt -----------------------------------------------------------------------------
 
 class OfIpopt : public testing::TestWithParam<shapes::IpoptMinimum> {};
 
@@ -99,8 +98,7 @@ std::vector<shapes::IpoptMinimum> small_minima() {
 
 INSTANTIATE_TEST_SUITE_P(Minima, OfIpopt, testing::ValuesIn(small_minima()));
 
-// ---- validity
-// ------------------------------------------------------------------------------------
+// ---- validity ----------------------------------------------------------------------------------
 
 TEST(Validity, UntanglesPlanarMeshes) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
@@ -181,8 +179,7 @@ TEST(Validity, SizesAroundDoNotDependOnTangling) {
   }
 }
 
-// ---- the function
-// --------------------------------------------------------------------------------
+// ---- the function ------------------------------------------------------------------------------
 
 TEST(Lagrangian, HasTheGradientOfItsValue) {
   Workers workers;
@@ -193,7 +190,7 @@ TEST(Lagrangian, HasTheGradientOfItsValue) {
     problem.bounds.push_back(
         {function_of("length", {0, 1}, [](auto x) { return (x[1] - x[0]).norm(); }), 2.0, 2.0});
     Objective objective(mesh, problem);
-    objective.constrain(workers, mesh);
+    objective.constrain(workers, mesh, mesh.points());
     std::vector<Vec3> x = displaced(mesh, problem.motion, 0.03, 5);
     for (int round = 0; round < 5; ++round) {
       std::vector<Vec3> gradient(x.size());
@@ -234,8 +231,7 @@ TEST(Lagrangian, HasTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-// ---- moves, functions
-// ----------------------------------------------------------------------------
+// ---- moves, functions --------------------------------------------------------------------------
 
 TEST(MoveLimit, IsKeptAndReported) {
   Mesh mesh = shapes::irregular_triangles(1000);
@@ -251,6 +247,26 @@ TEST(MoveLimit, IsKeptAndReported) {
     EXPECT_LE(move, problem.max_move[v] * (1.0 + 1e-6));
   }
   for (const ActiveBound& active : report.holding.moves) EXPECT_GE(active.multiplier, 0.0);
+}
+
+TEST(MoveLimit, HasTheMultiplierThatDifferencesGive) {
+  const auto cost_with = [](double limit, Report& report) {
+    Mesh mesh = shapes::quad_grid(6, 1.0, 0.25, 3);
+    Problem problem = problem_of(mesh);
+    problem.max_move.assign(mesh.point_count(), std::numeric_limits<double>::infinity());
+    problem.max_move[24] = limit;
+    Options options;
+    options.allow_worse = true;
+    options.tolerance = 1e-9;
+    report = smooth(mesh, problem, options);
+    return report.cost_after;
+  };
+  Report at, other;
+  cost_with(0.02, at);
+  ASSERT_EQ(at.holding.moves.size(), 1u);
+  const double h = 1e-4;
+  const double gain = (cost_with(0.02 - h, other) - cost_with(0.02 + h, other)) / (2.0 * h);
+  EXPECT_NEAR(at.holding.moves[0].multiplier, gain, 0.01 * gain);
 }
 
 TEST(Function, IsKeptEqual) {
@@ -314,8 +330,7 @@ TEST(Keep, TotalAreaOfAFreeMeshStays) {
   EXPECT_NEAR(problem.bounds[0].function->at(mesh.points()), 1.3, 1e-5);
 }
 
-// ---- tied vertices, symmetry
-// ---------------------------------------------------------------------
+// ---- tied vertices, symmetry -------------------------------------------------------------------
 
 TEST(Periodic, SidesStayImagesOfEachOther) {
   const int n = 12;
@@ -348,8 +363,70 @@ TEST(Periodic, SidesStayImagesOfEachOther) {
   EXPECT_GT(moved, 0.01);
 }
 
-// ---- targets
-// -------------------------------------------------------------------------------------
+TEST(Periodic, SidesGoBackTogether) {
+  const int n = 10;
+  Workers workers;
+  std::size_t pulled_back = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Mesh mesh = shapes::triangle_grid(n, 1.0, 0.2, seed);
+    std::vector<char> fixed(mesh.point_count(), 0);
+    std::fill(fixed.begin(), fixed.begin() + n + 1, 1);
+    Problem problem = make_problem(mesh, find_orientation(mesh), fixed, only("global"));
+    for (Index j = 1; j <= n; ++j) {
+      problem.motion.tie(j * (n + 1) + n, j * (n + 1), mesh.points());
+    }
+    Guard guard(workers, mesh, problem.orientation);
+    guard.set_motion(&problem.motion);
+    std::vector<Vec3> there = displaced(mesh, problem.motion, 0.5 / n, seed + 100);
+    Motion::Places places;
+    problem.motion.retract(workers, mesh.points(), problem.motion.start(), there, places);
+    pulled_back += guard.enforce(workers, there, Judge::quality_and_inversion).pulled_back;
+    for (Index j = 1; j <= n; ++j) {
+      ASSERT_NEAR((there[j * (n + 1) + n] - there[j * (n + 1)] - Vec3::UnitX()).norm(), 0.0, 1e-14)
+          << "seed " << seed;
+    }
+  }
+  EXPECT_GT(pulled_back, 100u);
+}
+
+TEST(Guard, SendsVerticesBackAlongTheirTrack) {
+  Workers workers;
+  const Mesh mesh = shapes::disk_triangles(300);
+  Problem problem = problem_of(mesh, only("local"), "boundary");
+  slide_on_unit_circle(mesh, problem);
+  Guard guard(workers, mesh, problem.orientation);
+  guard.set_motion(&problem.motion);
+  std::vector<Vec3> there = displaced(mesh, problem.motion, 0.08, 3);
+  Motion::Places places;
+  problem.motion.retract(workers, mesh.points(), problem.motion.start(), there, places);
+  EXPECT_GT(guard.enforce(workers, there, Judge::quality_and_inversion).pulled_back, 10u);
+  EXPECT_LE(farthest_from_unit_circle(with_points(mesh, there)), 1e-15);
+}
+
+TEST(MoveLimit, OfTiedVerticesIsTheLeastOfBoth) {
+  const Index n = 8;
+  Mesh mesh = shapes::triangle_grid(8, 1.0, 0.2);
+  const Mesh input = mesh;
+  std::vector<char> fixed(mesh.point_count(), 0);
+  for (std::size_t i = 0; i <= n; ++i) fixed[i] = fixed[fixed.size() - 1 - i] = 1;
+  Problem problem = make_problem(mesh, find_orientation(mesh), fixed);
+  problem.max_move.assign(mesh.point_count(), 1.0);
+  for (Index j = 1; j < n; ++j) {
+    problem.motion.tie(j * (n + 1), j * (n + 1) + n, mesh.points());  // followers come first
+    problem.max_move[j * (n + 1)] = 1e-3;
+  }
+  Options options;
+  options.max_iterations = 3;  // before the limits are met
+  options.allow_worse = true;
+  smooth(mesh, problem, options);
+  for (Index j = 1; j < n; ++j) {
+    for (const Index v : {j * (n + 1), j * (n + 1) + n}) {
+      EXPECT_LE((mesh.points()[v] - input.points()[v]).norm(), 1e-3 * (1.0 + 1e-9));
+    }
+  }
+}
+
+// ---- targets -----------------------------------------------------------------------------------
 
 TEST(Targets, AreReachedAndTheInteriorFollows) {
   Mesh mesh = shapes::irregular_triangles(2000);
@@ -367,6 +444,42 @@ TEST(Targets, AreReachedAndTheInteriorFollows) {
   for (const Target& target : problem.targets) {
     EXPECT_EQ(mesh.points()[target.vertex], target.position);
   }
+}
+
+TEST(Targets, LeaveLimitsOfMovesCountingFromTheInput) {
+  Mesh mesh = shapes::irregular_triangles(1000);
+  const Mesh input = mesh;
+  const std::vector<char> boundary = boundary_of(mesh);
+  Problem problem = problem_of(mesh, {}, "boundary");
+  problem.max_move.assign(mesh.point_count(), std::numeric_limits<double>::infinity());
+  for (Index v = 0; v < mesh.point_count(); ++v) {
+    if (!boundary[v]) {
+      problem.max_move[v] = 0.05;
+    } else {
+      problem.targets.push_back({v, mesh.points()[v] + Vec3(0.06, 0.0, 0.0)});
+    }
+  }
+  const Report report = smooth(mesh, problem);
+  ASSERT_GE(report.target_steps, 1);
+  std::size_t at_limit = 0;
+  for (Index v = 0; v < mesh.point_count(); ++v) {
+    if (boundary[v]) continue;
+    const double move = (mesh.points()[v] - input.points()[v]).norm();
+    EXPECT_LE(move, 0.05 * (1.0 + 1e-9));
+    at_limit += move > 0.0499 ? 1 : 0;
+  }
+  EXPECT_GT(at_limit, 100u);
+}
+
+TEST(Targets, CanBeInterruptedOnTheWay) {
+  Mesh mesh = shapes::irregular_triangles(500);
+  Problem problem = problem_of(mesh, {}, "boundary");
+  problem.targets.push_back({0, mesh.points()[0] - Vec3(0.3, 0.3, 0.0)});
+  Options options;
+  int calls = 0;
+  options.progress = [&](const Iteration&) { return ++calls < 2; };
+  EXPECT_EQ(smooth(mesh, problem, options).stop, Stop::interrupted);
+  EXPECT_LE(calls, 4);
 }
 
 TEST(Targets, ARotatedHoleTakesTheMeshAlong) {

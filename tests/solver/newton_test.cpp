@@ -52,7 +52,7 @@ class SumOfX final : public Function {
 class Landscape {
  public:
   Landscape(const Mesh& mesh, const Problem& problem) : objective(mesh, problem) {
-    objective.constrain(workers, mesh);
+    objective.constrain(workers, mesh, mesh.points());
   }
 
   std::vector<Vec3> gradient(Points x, const Motion::Places& places) {

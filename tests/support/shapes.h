@@ -81,16 +81,14 @@ Mesh fan_of_three();
 /// two triangles, interior vertices shifted a little along the graph.
 Mesh mixed_surface(int n, std::uint64_t seed = 1);
 
-// ---- volumes: the unit cube of n x n x n blocks
-// ---------------------------------------------------
+// ---- volumes: the unit cube of n x n x n blocks ------------------------------------------------
 
 Mesh tet_grid(int n);  // six tets per block, around its main diagonal
 Mesh hex_grid(int n, double jitter = 0.0, std::uint64_t seed = 1);
 Mesh wedge_grid(int n);    // two wedges per block
 Mesh pyramid_grid(int n);  // six pyramids per block, apex in the middle
 
-// ---- made from another mesh
-// -----------------------------------------------------------------------
+// ---- made from another mesh --------------------------------------------------------------------
 
 /// Where the vertices and cells of the original are in the shuffled mesh.
 struct Renumbering {
@@ -113,8 +111,7 @@ Mesh reversed(const Mesh& mesh, const std::function<bool(std::size_t cell)>& cho
 /// The same cells with groups.
 Mesh grouped(const Mesh& mesh, const std::function<std::uint32_t(std::size_t cell)>& group);
 
-// ---- all of them
-// ----------------------------------------------------------------------------------
+// ---- all of them -------------------------------------------------------------------------------
 
 struct Named {
   std::string name;

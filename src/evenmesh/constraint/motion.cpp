@@ -85,13 +85,7 @@ std::uint32_t Motion::own_slot(Index vertex) {
 }
 
 void Motion::fix(Index vertex) {
-  freedom_[vertex] = Freedom::fixed;
-  if (leader_.empty()) return;
-  const Index leader = leader_[vertex];
-  freedom_[leader] = Freedom::fixed;
-  for (const Tie& tie : ties_) {
-    if (tie.leader == leader) freedom_[tie.follower] = Freedom::fixed;
-  }
+  for_tied(vertex, [&](Index v) { freedom_[v] = Freedom::fixed; });
 }
 
 Vec3 Motion::direction(Index vertex) const {
@@ -106,9 +100,12 @@ void Motion::restrict_to(Index vertex, const Vec3& position, Freedom freedom, co
   if (now == Freedom::fixed || freedom == Freedom::free) return;
   if (freedom == Freedom::fixed) return fix(vertex);
   const Vec3 v = direction(vertex);
-  const bool on_track = track(vertex) != nullptr;
+  if (const Track* curved = track(vertex)) {
+    // Its tangent says where it is going only here.
+    const bool within = freedom == Freedom::plane && curved->lies_in_plane(start_[slot(vertex)], u);
+    return within ? void() : fix(vertex);
+  }
   const auto set = [&](Freedom result, const Vec3& along) {
-    if (on_track) return fix(vertex);
     freedom_[vertex] = result;
     start_[own_slot(vertex)] = {position, along, 0};
   };
@@ -149,26 +146,20 @@ void Motion::tie(Index follower, Index leader, Points points) {
   if (leader_.empty()) {
     leader_.resize(freedom_.size());
     std::iota(leader_.begin(), leader_.end(), Index{0});
+    next_ = leader_;
   }
   const Index old = leader_[follower];
   leader = leader_[leader];
   if (old == leader) return;
-  std::vector<Index> joining = {old};
-  for (const Tie& tie : ties_) {
-    if (tie.leader == old) joining.push_back(tie.follower);
-  }
-  std::erase_if(ties_, [&](const Tie& tie) { return tie.leader == old; });
   restrict_to(leader, points[leader], freedom_[old], direction(old));
-  for (const Index v : joining) {
-    leader_[v] = leader;
-    ties_.push_back({v, leader});
-  }
-  for (const Tie& tie : ties_) {
-    if (tie.leader != leader) continue;
-    freedom_[tie.follower] = freedom_[leader];
-    if (slot(leader) == kNone) continue;
-    start_[own_slot(tie.follower)] = {points[tie.follower], direction(leader), 0};
-  }
+  for_tied(old, [&](Index v) { leader_[v] = leader; });
+  tied_.push_back(old);
+  std::swap(next_[old], next_[leader]);  // makes one ring of two
+  for_tied(leader, [&](Index v) {
+    freedom_[v] = freedom_[leader];
+    if (v == leader || slot(leader) == kNone) return;
+    start_[own_slot(v)] = {points[v], direction(leader), 0};
+  });
 }
 
 std::size_t Motion::moving() const {
@@ -191,9 +182,9 @@ Vec3 Motion::normal(Index vertex) const {
 }
 
 void Motion::reduce(Workers& workers, const Places& places, std::span<Vec3> gradient) const {
-  for (const Tie& tie : ties_) {
-    gradient[tie.leader] += gradient[tie.follower];
-    gradient[tie.follower] = Vec3::Zero();
+  for (const Index v : tied_) {
+    gradient[leader_[v]] += gradient[v];
+    gradient[v] = Vec3::Zero();
   }
   project(workers, places, gradient);
 }
@@ -204,7 +195,7 @@ void Motion::project(Workers& workers, const Places& places, std::span<Vec3> ste
       step[v] = project(places, static_cast<Index>(v), step[v]);
     }
   });
-  for (const Tie& tie : ties_) step[tie.follower] = Vec3::Zero();
+  for (const Index v : tied_) step[v] = Vec3::Zero();
 }
 
 void Motion::retract(Workers& workers, Points x_0, const Places& from, std::span<Vec3> x,
@@ -219,9 +210,7 @@ void Motion::retract(Workers& workers, Points x_0, const Places& from, std::span
       x[v] = to[k].position;
     }
   });
-  for (const Tie& tie : ties_) {
-    x[tie.follower] = x_0[tie.follower] + (x[tie.leader] - x_0[tie.leader]);
-  }
+  for (const Index v : tied_) x[v] = x_0[v] + (x[leader_[v]] - x_0[leader_[v]]);
 }
 
 void Motion::retract(Index vertex, Points x_0, const Places& from, std::span<Vec3> x,
@@ -234,12 +223,9 @@ void Motion::retract(Index vertex, Points x_0, const Places& from, std::span<Vec
       x[vertex] = to[own].position;
     }
   }
-  if (leader_.empty()) return;
-  for (const Tie& tie : ties_) {
-    if (tie.leader == vertex) {
-      x[tie.follower] = x_0[tie.follower] + (x[tie.leader] - x_0[tie.leader]);
-    }
-  }
+  for_tied(vertex, [&](Index v) {
+    if (v != vertex) x[v] = x_0[v] + (x[vertex] - x_0[vertex]);
+  });
 }
 
 void Motion::start_from(Workers& workers, Points x_0, Points x) {
@@ -264,10 +250,11 @@ Motion Motion::renumbered(std::span<const Index> order) const {
   if (leader_.empty()) return result;
   std::vector<Index> number(order.size());
   for (Index k = 0; k < order.size(); ++k) number[order[k]] = k;
-  for (const Index v : order) result.leader_.push_back(number[leader_[v]]);
-  for (const Tie& tie : ties_) {
-    result.ties_.push_back({number[tie.follower], number[tie.leader]});
+  for (const Index v : order) {
+    result.leader_.push_back(number[leader_[v]]);
+    result.next_.push_back(number[next_[v]]);
   }
+  for (const Index v : tied_) result.tied_.push_back(number[v]);
   return result;
 }
 

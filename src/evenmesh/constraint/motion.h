@@ -47,7 +47,7 @@ class Motion {
   /// Also fixes what is tied to the vertex.
   void fix(Index vertex);
   /// Keeps a vertex, on top of what keeps it already, in the plane through where it is. What is on
-  /// a track and not already in that plane gets fixed.
+  /// a track that does not lie in that plane as a whole gets fixed.
   /// @param position  of the vertex
   /// @param normal    unit
   void keep_in_plane(Index vertex, const Vec3& position, const Vec3& normal);
@@ -70,7 +70,16 @@ class Motion {
   std::size_t moving() const;
   /// The vertex that this one repeats the moves of; itself if it goes its own way.
   Index leader(Index vertex) const { return leader_.empty() ? vertex : leader_[vertex]; }
-  bool has_ties() const { return !ties_.empty(); }
+  bool has_ties() const { return !tied_.empty(); }
+  /// True for leaders and followers.
+  bool is_tied(Index vertex) const { return !next_.empty() && next_[vertex] != vertex; }
+  /// Calls body for a vertex and all that move with it.
+  template <typename Body>
+  void for_tied(Index vertex, const Body& body) const {
+    body(vertex);
+    if (next_.empty()) return;
+    for (Index v = next_[vertex]; v != vertex; v = next_[v]) body(v);
+  }
   /// True if some vertex slides on a surface of triangles.
   bool has_kinks() const;
   /// The track a vertex is on, or null.
@@ -120,10 +129,6 @@ class Motion {
   Motion renumbered(std::span<const Index> order) const;
 
  private:
-  struct Tie {
-    Index follower, leader;
-  };
-
   std::uint32_t own_slot(Index vertex);
   void restrict_to(Index vertex, const Vec3& position, Freedom freedom, const Vec3& direction);
   Vec3 direction(Index vertex) const;
@@ -135,7 +140,8 @@ class Motion {
   std::vector<std::shared_ptr<const Track>> tracks_;  // per slot: null for a fixed line or plane
   Places start_;
   std::vector<Index> leader_;  // per vertex, or empty
-  std::vector<Tie> ties_;
+  std::vector<Index> next_;    // per vertex: the next one that is tied to it, round in a ring
+  std::vector<Index> tied_;    // the vertices that are not their own leader
 };
 
 }  // namespace evenmesh

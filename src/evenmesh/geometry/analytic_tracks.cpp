@@ -9,6 +9,8 @@
 namespace evenmesh {
 namespace {
 
+constexpr double kParallel = 1e-9;  // sine of the angle below which directions are the same
+
 Vec3 unit(const Vec3& v) {
   assert(!v.isZero(0.0));
   return v.stableNormalized();
@@ -102,6 +104,20 @@ TrackPoint SphereTrack::nearest(const Vec3& p, const TrackPoint& from) const {
 
 Vec3 SphereTrack::curvature(const TrackPoint& point, const Vec3& /*t*/) const {
   return -outward(point.position, point, centre_, Vec3::Zero()) / radius_;
+}
+
+// ---- whole tracks in planes --------------------------------------------------------------------
+
+bool LineTrack::lies_in_plane(const TrackPoint&, const Vec3& normal) const {
+  return std::abs(direction_.dot(normal)) <= kParallel;
+}
+
+bool PlaneTrack::lies_in_plane(const TrackPoint&, const Vec3& normal) const {
+  return normal_.cross(normal).norm() <= kParallel;
+}
+
+bool CircleTrack::lies_in_plane(const TrackPoint&, const Vec3& normal) const {
+  return normal_.cross(normal).norm() <= kParallel;
 }
 
 }  // namespace evenmesh

@@ -20,6 +20,7 @@ class LineTrack final : public Track {
   int dimension() const override { return 1; }
   TrackPoint nearest(const Vec3& p, const TrackPoint& from) const override;
   Vec3 curvature(const TrackPoint& point, const Vec3& t) const override;
+  bool lies_in_plane(const TrackPoint& point, const Vec3& normal) const override;
 
   const Vec3& point() const { return point_; }
   const Vec3& direction() const { return direction_; }
@@ -38,6 +39,7 @@ class PlaneTrack final : public Track {
   int dimension() const override { return 2; }
   TrackPoint nearest(const Vec3& p, const TrackPoint& from) const override;
   Vec3 curvature(const TrackPoint& point, const Vec3& t) const override;
+  bool lies_in_plane(const TrackPoint& point, const Vec3& normal) const override;
 
   const Vec3& point() const { return point_; }
   const Vec3& normal() const { return normal_; }
@@ -56,6 +58,7 @@ class CircleTrack final : public Track {
   int dimension() const override { return 1; }
   TrackPoint nearest(const Vec3& p, const TrackPoint& from) const override;
   Vec3 curvature(const TrackPoint& point, const Vec3& t) const override;
+  bool lies_in_plane(const TrackPoint& point, const Vec3& normal) const override;
 
   const Vec3& centre() const { return centre_; }
   const Vec3& normal() const { return normal_; }
@@ -77,6 +80,7 @@ class CylinderTrack final : public Track {
   int dimension() const override { return 2; }
   TrackPoint nearest(const Vec3& p, const TrackPoint& from) const override;
   Vec3 curvature(const TrackPoint& point, const Vec3& t) const override;
+  bool lies_in_plane(const TrackPoint&, const Vec3&) const override { return false; }
 
   const Vec3& point() const { return point_; }
   const Vec3& axis() const { return axis_; }
@@ -97,6 +101,7 @@ class SphereTrack final : public Track {
   int dimension() const override { return 2; }
   TrackPoint nearest(const Vec3& p, const TrackPoint& from) const override;
   Vec3 curvature(const TrackPoint& point, const Vec3& t) const override;
+  bool lies_in_plane(const TrackPoint&, const Vec3&) const override { return false; }
 
   const Vec3& centre() const { return centre_; }
   double radius() const { return radius_; }

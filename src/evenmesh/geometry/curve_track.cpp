@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/geometry/curve_track.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -84,6 +86,17 @@ TrackPoint CurveTrack::nearest(const Vec3& p, const TrackPoint& from) const {
 
 Vec3 CurveTrack::curvature(const TrackPoint& /*point*/, const Vec3& /*t*/) const {
   return Vec3::Zero();
+}
+
+bool CurveTrack::lies_in_plane(const TrackPoint&, const Vec3& normal) const {
+  double size = 0.0;
+  double off = 0.0;
+  for (const Vec3& p : points_) {
+    const Vec3 d = p - points_[0];
+    size = std::max(size, d.norm());
+    off = std::max(off, std::abs(normal.dot(d)));
+  }
+  return off <= kFlatTolerance * size;
 }
 
 }  // namespace evenmesh

@@ -31,6 +31,8 @@ class CurveTrack final : public Track {
   /// @pre  from lies on this track
   TrackPoint nearest(const Vec3& p, const TrackPoint& from) const override;
   Vec3 curvature(const TrackPoint& point, const Vec3& t) const override;
+  /// O(points).
+  bool lies_in_plane(const TrackPoint& point, const Vec3& normal) const override;
 
   std::size_t segments() const { return tangents_.size(); }
   bool is_closed() const { return tangents_.size() == points_.size(); }

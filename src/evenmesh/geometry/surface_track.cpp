@@ -85,6 +85,7 @@ SurfaceTrack::SurfaceTrack(std::vector<Vec3> points, std::vector<VertexTriple> t
   for (Vec3& p : points_) p *= scale_.to_unit;
   find_neighbours(barriers);
   find_patches();
+  find_flat_patches();
   find_normals();
 }
 
@@ -261,6 +262,28 @@ TrackPoint SurfaceTrack::nearest(const Vec3& p, const TrackPoint& from) const {
 
 Vec3 SurfaceTrack::curvature(const TrackPoint& /*point*/, const Vec3& /*t*/) const {
   return Vec3::Zero();
+}
+
+void SurfaceTrack::find_flat_patches() {
+  flat_.assign(triangles_.size(), 1);
+  double size = 0.0;
+  for (const Vec3& p : points_) size = std::max(size, (p - points_[0]).norm());
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    const std::uint32_t first = patches_[t];
+    const Vec3 normal = area_vector(first).stableNormalized();
+    const Vec3& origin = points_[triangles_[first][0]];
+    for (const Index v : triangles_[t]) {
+      const bool within = std::abs(normal.dot(points_[v] - origin)) <= kFlatTolerance * size;
+      if (normal.isZero() || !within) flat_[first] = 0;
+    }
+  }
+}
+
+bool SurfaceTrack::lies_in_plane(const TrackPoint& point, const Vec3& normal) const {
+  const std::uint32_t first = patches_[point.piece];
+  constexpr double kParallel = 1e-6;  // sine of an angle; the patch is as flat as its slack
+  return flat_[first] != 0 &&
+         area_vector(first).stableNormalized().cross(normal).norm() <= kParallel;
 }
 
 }  // namespace evenmesh

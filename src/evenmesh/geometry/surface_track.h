@@ -46,6 +46,7 @@ class SurfaceTrack final : public Track {
   TrackPoint nearest(const Vec3& p, const TrackPoint& from) const override;
   /// Zero: a triangle is flat.
   Vec3 curvature(const TrackPoint& point, const Vec3& t) const override;
+  bool lies_in_plane(const TrackPoint& point, const Vec3& normal) const override;
   bool has_kinks() const override { return true; }
 
   std::size_t triangles() const { return triangles_.size(); }
@@ -68,6 +69,7 @@ class SurfaceTrack final : public Track {
  private:
   void find_neighbours(std::span<const std::uint8_t> barriers);
   void find_patches();
+  void find_flat_patches();
   void find_normals();
   bool are_wound_alike(std::uint32_t triangle, std::size_t edge, std::uint32_t other) const;
   ClosestPoint closest(std::uint32_t triangle, const Vec3& p) const;
@@ -81,6 +83,7 @@ class SurfaceTrack final : public Track {
   std::vector<std::array<std::uint32_t, 3>> sectors_;     // at corner j: index into normals_
   std::vector<Vec3> normals_;                             // per sector, unit or zero
   std::vector<std::uint32_t> patches_;
+  std::vector<char> flat_;  // per patch, by its least triangle
   /// Per triangle: bit j: its sector's normal at corner j is to be turned round; bit 3: its own.
   std::vector<std::uint8_t> turned_;
 };

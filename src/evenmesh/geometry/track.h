@@ -38,6 +38,10 @@ class Track {
   /// @param t  unit vector tangent to the track at the point
   virtual Vec3 curvature(const TrackPoint& point, const Vec3& t) const = 0;
 
+  /// True if all that can be reached from a point of the track lies in the plane through it.
+  /// @param normal  unit
+  virtual bool lies_in_plane(const TrackPoint& point, const Vec3& normal) const = 0;
+
   /// True for a surface of triangles: what is minimised on it has kinks at their edges, at which
   /// methods that rely on second derivatives get stuck.
   virtual bool has_kinks() const { return false; }

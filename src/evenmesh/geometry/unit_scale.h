@@ -17,6 +17,10 @@ struct UnitScale {
   double from_unit = 1.0;
 };
 
+/// How far from a plane, relative to the size of the whole, points may lie to count as in it.
+/// Single-precision files need the slack.
+inline constexpr double kFlatTolerance = 1e-7;
+
 /// @param points  finite; the greatest coordinate counts
 inline UnitScale unit_scale(Points points) {
   constexpr double kLeast = 1e-30;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "evenmesh/base/timer.h"
 #include "evenmesh/mesh/measure.h"
 #include "evenmesh/solver/descent.h"
 
@@ -22,7 +23,11 @@ class Way {
     for (const Target& target : problem.targets) problem_.motion.fix(target.vertex);
     options_.max_iterations = kIterations;
     options_.tolerance = 1e-2;
-    options_.progress = {};
+    // Its iterations are not those of the run, but who wants to stop can do so here too.
+    options_.progress = [this, &options](const Iteration& iteration) {
+      interrupted_ = interrupted_ || (options.progress && !options.progress(iteration));
+      return !interrupted_;
+    };
     points_.assign(mesh.points().begin(), mesh.points().end());
     valid_.resize(mesh.cells().size());
     for (std::size_t c = 0; c < valid_.size(); ++c) valid_[c] = is_valid(c, points_);
@@ -32,11 +37,11 @@ class Way {
     Brought result;
     double gone = 0.0;
     double part = 1.0;
-    while (gone < 1.0 && anything_to_do()) {
+    while (gone < 1.0 && anything_to_do() && !interrupted_) {
       const double to = std::min(1.0, gone + part);
       std::vector<Vec3> there = follow(to);
-      result.inverted = newly_inverted(there);
-      if (result.inverted > 0 && part > kShortestPart) {
+      if (interrupted_) break;
+      if (newly_inverted(there) > 0 && part > kShortestPart) {
         part *= 0.5;
         continue;
       }
@@ -74,23 +79,24 @@ class Way {
 
   // Positions with the targets that part of their way, the others where they are led from points_.
   std::vector<Vec3> follow(double part) {
-    Mesh start = mesh_;
     std::vector<Vec3> x = points_;
     for (const Target& target : problem_.targets) {
       const Vec3& from = mesh_.points()[target.vertex];
       x[target.vertex] = part == 1.0 ? target.position : from + part * (target.position - from);
     }
-    start.set_points(x);
-    Problem problem = problem_;
-    problem.max_move.clear();  // counts from the input, for the whole way
-    Objective objective(mesh_, problem);
-    objective.constrain(workers_, mesh_);
+    const std::vector<Vec3> start = x;
+    Objective objective(mesh_, problem_);
+    objective.constrain(workers_, mesh_, mesh_.points());
     objective.lagrangian()->reset(workers_, x);
     Multigrid preconditioner(workers_, objective.majoriser(workers_, mesh_.points()),
-                             objective.projectors(problem.motion.start()));
-    Flips flips(objective.layout(), start.points(), problem.orientation);
+                             objective.projectors(problem_.motion.start()));
+    const Flips flips(objective.layout(), start, problem_.orientation);
+    Options options = options_;
+    if (options.time_limit_seconds > 0.0) {  // not 0, which would be no limit
+      options.time_limit_seconds = std::max(1e-9, options.time_limit_seconds - timer_.seconds());
+    }
     Report report;
-    descend(workers_, objective, preconditioner, flips, options_, x, report);
+    descend(workers_, objective, preconditioner, flips, options, x, report);
     return x;
   }
 
@@ -98,6 +104,8 @@ class Way {
   const Mesh& mesh_;
   Problem problem_;
   Options options_;
+  const Timer timer_;
+  bool interrupted_ = false;
   std::vector<Vec3> points_;
   std::vector<char> valid_;  // per cell, in the input
 };

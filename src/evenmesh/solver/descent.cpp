@@ -50,7 +50,7 @@ class Descent {
         places_(objective.motion().start()),
         places_new_(places_),
         strikes_(x.size(), 0),
-        inverted_(objective.lagrangian() != nullptr ? 1 : 0) {}
+        inverted_(x.size()) {}
 
   void run() {
     cost_ = evaluate(x_, places_, g_);
@@ -66,7 +66,8 @@ class Descent {
       return;
     }
     // z is what a Newton step would move. Less than the rounding of coordinates is nothing.
-    if (largest(workers_, z_) <= kNoMove * largest(workers_, x_) && demands_are_met()) {
+    size_ = largest(workers_, x_);
+    if (largest(workers_, z_) <= kNoMove * size_ && demands_are_met()) {
       report_.stop = Stop::converged;
       return;
     }
@@ -127,13 +128,17 @@ class Descent {
   // True if the function has been minimised and is the last one.
   bool done() {
     if (norm() <= options_.tolerance * start_) return !change_function(true);
-    const Lagrangian* lagrangian = objective_.lagrangian();
-    const bool often =
-        lagrangian != nullptr && lagrangian->mode() == Lagrangian::Mode::exact_penalty;
-    if (often || norm() <= inner_target_ || ++steps_since_look_ >= kStepsBetweenLooks) {
+    if (looks_often() || norm() <= inner_target_ || ++steps_since_look_ >= kStepsBetweenLooks) {
       change_function(false);
     }
     return false;
+  }
+
+  // Where a look may change the function at every iterate.
+  bool looks_often() const {
+    const Lagrangian* lagrangian = objective_.lagrangian();
+    return lagrangian != nullptr &&
+           (lagrangian->dormant() || lagrangian->mode() == Lagrangian::Mode::exact_penalty);
   }
 
   // Lets multipliers and penalties follow the iterates; true if that made it another function.
@@ -146,7 +151,7 @@ class Descent {
     const bool changed = lagrangian->advance(workers_, x_, steps_since_change_, progress);
     steps_since_look_ = 0;
     if (!changed) {
-      inner_target_ = std::min(inner_target_, kInnerFall * norm());
+      if (norm() <= inner_target_) inner_target_ = kInnerFall * norm();
       return false;
     }
     steps_since_change_ = 0;
@@ -164,9 +169,9 @@ class Descent {
 
   // While cells are inverted steps are not limited: they have to pass through one another.
   void look_for_inverted_cells() {
+    if (inverted_ == 0) return;
     const Lagrangian* lagrangian = objective_.lagrangian();
-    if (lagrangian == nullptr || inverted_ == 0) return;
-    inverted_ = lagrangian->violation(workers_, x_).inverted;
+    inverted_ = lagrangian == nullptr ? 0 : lagrangian->violation(workers_, x_).inverted;
   }
 
   // About twice what the cost can still fall; below a part of the cost it is lost in rounding.
@@ -199,6 +204,7 @@ class Descent {
     if (limited == kRejected) return false;
     add(workers_, x_new_, -1.0, x_, z_);  // z is free until the next preconditioning
     const double max_move = largest(workers_, z_);
+    if (max_move <= kNoMove * size_) return false;
     if (lbfgs_on_) lbfgs_.remember(workers_, x_new_, x_, g_new_, g_);
     std::swap(x_, x_new_);
     std::swap(g_, g_new_);
@@ -437,10 +443,11 @@ class Descent {
   std::vector<Vec3> z_, p_;
   Motion::Places places_, places_new_;
   std::vector<std::uint8_t> strikes_;
-  std::size_t inverted_;     // cells, of those that constraints want valid
+  std::size_t inverted_;     // cells, of those that constraints want valid; not known at first
   std::vector<float> part_;  // of its step that a vertex takes, 1 but while limit() is at work
   double cost_ = 0.0;
   double cost_new_ = 0.0;
+  double size_ = 0.0;       // of the coordinates
   double decrement_ = 0.0;  // g.z
   double start_ = 0.0;
   double start_decrement_ = 0.0;

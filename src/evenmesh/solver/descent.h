@@ -26,7 +26,7 @@ namespace evenmesh {
 /// Fills in the report's stop, history, held, solver and newton_steps.
 /// @param observe  called with every iterate, the first included; returns false to stop there
 ///
-/// The cost never rises from one iterate to the next (beyond rounding), so the last is the best.
+/// The cost never rises from one iterate to the next of the same function (beyond rounding).
 void descend(Workers& workers, Objective& objective, Multigrid& preconditioner, const Flips& flips,
              const Options& options, std::vector<Vec3>& x, Report& report,
              const std::function<bool(Points x)>& observe = {});

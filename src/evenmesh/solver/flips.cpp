@@ -68,7 +68,6 @@ bool Flips::offends(const Cell& cell, Points x, Points x_new) const {
 }
 
 std::vector<Index> Flips::find(Workers& workers, Points x, Points x_new) const {
-  if (allow_everything_) return {};
   std::vector<std::vector<Index>> found(layout_.chunks());
   layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
     const bool surface = traits(block.cells.kind).dimension == 2;
@@ -83,8 +82,8 @@ std::vector<Index> Flips::find(Workers& workers, Points x, Points x_new) const {
   });
   std::vector<Index> vertices;
   for (std::size_t v = 0; v < reach_.size(); ++v) {
-    const double reach = reach_[v];
-    if ((x_new[v] - input_[v]).squaredNorm() > reach * reach) {
+    const double squared = (x_new[v] - input_[v]).squaredNorm();
+    if (squared > reach_[v] * reach_[v] && squared > (x[v] - input_[v]).squaredNorm()) {
       vertices.push_back(static_cast<Index>(v));
     }
   }

@@ -20,7 +20,8 @@ namespace evenmesh {
 /// A step offends at a cell that is not inverted before it and is after it; at a cell that is
 /// inverted before and after and then worse than in the input mesh; and at a cell whose `shape`
 /// after it is below the least allowed. Cells without area in the input are not judged: they have
-/// no side to be turned over to. It also offends at a vertex that it takes out of reach.
+/// no side to be turned over to. It also offends at a vertex that it takes out of reach, or further
+/// out.
 class Flips {
  public:
   /// @param input        positions of the input mesh
@@ -32,9 +33,6 @@ class Flips {
 
   /// How far each vertex may get from where it is in the input (mesh length unit); empty: anywhere.
   void set_reach(std::vector<double> reach) { reach_ = std::move(reach); }
-
-  /// Lets every step pass.
-  void allow_everything(bool allow) { allow_everything_ = allow; }
 
   /// Vertices, ascending and each once, of the cells (or vertices) at which the step from x to
   /// x_new offends.
@@ -49,7 +47,6 @@ class Flips {
   const Orientation& orientation_;
   double least_shape_;
   std::vector<double> reach_;
-  bool allow_everything_ = false;
 };
 
 }  // namespace evenmesh

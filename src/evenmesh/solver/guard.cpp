@@ -207,13 +207,31 @@ class Guard::Retreat {
     return any;
   }
 
+  // Those that are tied go back together; they are at the same stage.
+  void mark_tied() {
+    if (guard_.motion_ == nullptr || !guard_.motion_->has_ties()) return;
+    for (Index v = 0; v < points_.size(); ++v) {
+      if (marked_[v]) guard_.motion_->for_tied(v, [&](Index other) { marked_[other] = 1; });
+    }
+  }
+
+  // Half of a way along a curve is beside the curve.
+  void put_on_track(Index v) {
+    const Track* track = guard_.motion_ != nullptr ? guard_.motion_->track(v) : nullptr;
+    if (track == nullptr) return;
+    const TrackPoint& start = guard_.motion_->start()[guard_.motion_->slot(v)];
+    points_[v] = track->nearest(points_[v], start).position;
+  }
+
   // Takes the marked vertices one stage further back and measures again what that changes.
   void retreat() {
+    mark_tied();
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (!marked_[v]) continue;
       const double left = kLeft[++stage_[v]];
       const Vec3& start = guard_.input_.points()[v];
       points_[v] = left == 0.0 ? start : Vec3(start + left * (target_[v] - start));
+      if (left > 0.0) put_on_track(static_cast<Index>(v));
     }
     round(points_);
     Cells changed;

@@ -8,6 +8,7 @@
 
 #include "evenmesh/base/parallel.h"
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/constraint/motion.h"
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/orientation.h"
 #include "evenmesh/quality/quality.h"
@@ -34,6 +35,9 @@ class Guard {
   /// Also keeps the shape within a distance of another (or the same) mesh's.
   /// @param limit  must outlive the guard
   void set_limit(const DeviationLimit* limit) { limit_ = limit; }
+  /// Lets vertices that go back stay on their tracks, and those that are tied go back together.
+  /// @param motion  with its start at the input; must outlive the guard
+  void set_motion(const Motion* motion) { motion_ = motion; }
 
   const QualitySummary& before() const { return summary_; }
 
@@ -74,6 +78,7 @@ class Guard {
   CellQuality quality_;
   QualitySummary summary_;
   const DeviationLimit* limit_ = nullptr;
+  const Motion* motion_ = nullptr;
 };
 
 }  // namespace evenmesh

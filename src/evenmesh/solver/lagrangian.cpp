@@ -54,12 +54,11 @@ void Lagrangian::for_rows(const Layout::Block& block, Points x, const Body& body
   }
 }
 
-// ---- setting up
-// ----------------------------------------------------------------------------------
+// ---- setting up --------------------------------------------------------------------------------
 
-Lagrangian::Lagrangian(Workers& workers, const Mesh& input, const Problem& problem,
+Lagrangian::Lagrangian(Workers& workers, const Mesh& input, Points origin, const Problem& problem,
                        const Layout& layout)
-    : input_(input), problem_(problem), layout_(layout) {
+    : input_(input), origin_(origin), problem_(problem), layout_(layout) {
   set_up_scales(workers);
   if (problem.validity.demanded) set_up_cells(workers);
   set_up_functions();
@@ -78,12 +77,17 @@ void Lagrangian::reset(Workers& workers, Points x) {
   rho_ = kFirstRho;
   rounds_ = 0;
   last_residual_ = std::numeric_limits<double>::infinity();
-  settled_ = demands_.empty() && functions_.empty() && leashes_.empty();
-  enter_stage(violation(workers, x).cells > 0 ? 0 : static_cast<int>(kStages.size()));
+  const bool violated = violation(workers, x).cells > 0;
+  enter_stage(violated ? 0 : static_cast<int>(kStages.size()));
+  dormant_ = !violated && functions_.empty() && leashes_.empty();
 }
 
-// Geometric mean of the springs' stiffnesses, which a collapsed cell cannot spoil.
-double Lagrangian::typical_stiffness(const CellBlock& cells) const {
+// Geometric mean of the springs' stiffnesses, which a collapsed cell cannot spoil. Some cells speak
+// for all of a block.
+double Lagrangian::typical_stiffness(CellBlock cells) const {
+  constexpr std::size_t kSample = 200;
+  cells.vertices = cells.vertices.first(std::min(cells.size(), kSample) *
+                                        static_cast<std::size_t>(cells.vertices_per_cell));
   std::vector<Spring> springs;
   double sum = 0.0;
   for (const Term& term : problem_.terms) {
@@ -189,8 +193,7 @@ void Lagrangian::set_up_functions() {
   }
 }
 
-// ---- the function
-// --------------------------------------------------------------------------------
+// ---- the function ------------------------------------------------------------------------------
 
 Lagrangian::Slope Lagrangian::psi(double v, double lambda) const {
   if (mode_ == Mode::multipliers) {
@@ -215,11 +218,12 @@ Lagrangian::Slope Lagrangian::psi_of(const FunctionRow& row, double c) const {
 }
 
 double Lagrangian::value_of(const Leash& leash, Points x) const {
-  const double move = (x[leash.vertex] - input_.points()[leash.vertex]).norm() / leash.length;
+  const double move = (x[leash.vertex] - origin_[leash.vertex]).norm() / leash.length;
   return 1.0 - move * move;
 }
 
 double Lagrangian::evaluate(const Layout::Block& block, Points x, std::span<Vec3> gradient) const {
+  if (dormant_) return 0.0;
   double sum = 0.0;
   for_rows(block, x, [&](std::size_t i, std::uint32_t row, double v, const auto& corner) {
     const Slope slope = psi(v, lambda_[row]);
@@ -256,14 +260,13 @@ double Lagrangian::evaluate_others(Points x, std::span<Vec3> gradient) const {
     const Slope slope = psi(value_of(leash, x), leash.lambda);
     sum += leash_weight * slope.value;
     if (gradient.empty() || slope.derivative == 0.0) continue;
-    const Vec3 move = x[leash.vertex] - input_.points()[leash.vertex];
+    const Vec3 move = x[leash.vertex] - origin_[leash.vertex];
     gradient[leash.vertex] -= 2.0 * other_stiffness_ * slope.derivative * move;
   }
   return sum;
 }
 
-// ---- second derivatives
-// --------------------------------------------------------------------------
+// ---- second derivatives ------------------------------------------------------------------------
 
 double Lagrangian::evaluate_bound(std::size_t bound, Points own, std::span<Vec3> gradient) const {
   const double c = problem_.bounds[bound].function->evaluate(own, gradient);
@@ -293,14 +296,13 @@ void Lagrangian::for_leashes(Points x,
                              const std::function<void(Index, const Eigen::Matrix3d&)>& body) const {
   for (const Leash& leash : leashes_) {
     const Slope slope = psi(value_of(leash, x), leash.lambda);
-    const Vec3 part = (x[leash.vertex] - input_.points()[leash.vertex]) / leash.length;
+    const Vec3 part = (x[leash.vertex] - origin_[leash.vertex]) / leash.length;
     body(leash.vertex, 4.0 * other_stiffness_ * slope.curvature * part * part.transpose() -
                            2.0 * other_stiffness_ * slope.derivative * Eigen::Matrix3d::Identity());
   }
 }
 
-// ---- the schedule
-// --------------------------------------------------------------------------------
+// ---- the schedule ------------------------------------------------------------------------------
 
 void Lagrangian::enter_stage(int stage) {
   stage_ = stage;
@@ -312,7 +314,10 @@ void Lagrangian::enter_stage(int stage) {
 }
 
 bool Lagrangian::advance(Workers& workers, Points x, int steps, Progress progress) {
-  if (settled_) return false;
+  if (dormant_) {
+    dormant_ = violation(workers, x).cells == 0;
+    return !dormant_;
+  }
   if (mode_ == Mode::exact_penalty) {
     const bool met = violation(workers, x).cells == 0;
     if (!met && progress == Progress::some && steps < kMostStepsInStage) return false;
@@ -325,10 +330,7 @@ bool Lagrangian::advance(Workers& workers, Points x, int steps, Progress progres
     return true;
   }
   const double now = residual(workers, x);
-  if (now <= kMet || rounds_ >= kMostRounds) {
-    settled_ = progress == Progress::fully;
-    return false;
-  }
+  if (now <= kMet || rounds_ >= kMostRounds) return false;
   ++rounds_;
   update_multipliers(workers, x);
   if (now > kResidualFall * last_residual_) rho_ = std::min(kRhoGrowth * rho_, kGreatestRho);
@@ -380,8 +382,7 @@ void Lagrangian::update_multipliers(Workers& workers, Points x) {
   for (Leash& leash : leashes_) leash.lambda = next(leash.lambda, value_of(leash, x));
 }
 
-// ---- what came of it
-// -----------------------------------------------------------------------------
+// ---- what came of it ---------------------------------------------------------------------------
 
 Lagrangian::Violation Lagrangian::violation(Workers& workers, Points x) const {
   std::vector<Violation> parts(layout_.chunks());

@@ -34,8 +34,11 @@ class Lagrangian {
  public:
   enum class Mode : std::uint8_t { exact_penalty, multipliers };
 
+  /// @param input   whose cells tell what is demanded of each
+  /// @param origin  where moves are measured from: the input's points, or where these came from
   /// All arguments must outlive the object.
-  Lagrangian(Workers& workers, const Mesh& input, const Problem& problem, const Layout& layout);
+  Lagrangian(Workers& workers, const Mesh& input, Points origin, const Problem& problem,
+             const Layout& layout);
 
   /// Begins anew at x, with multipliers 0.
   void reset(Workers& workers, Points x);
@@ -70,8 +73,9 @@ class Lagrangian {
   /// @param steps  since the function has changed last
   /// @return  true if the function has changed
   bool advance(Workers& workers, Points x, int steps, Progress progress);
-  /// True if the demands are met as well as they can be: what remains is to minimise.
-  bool settled() const { return settled_; }
+  /// True while no row has been violated: the function is the cost alone, and rows are only looked
+  /// at by advance().
+  bool dormant() const { return dormant_; }
   Mode mode() const { return mode_; }
 
   // ---- what came of it --------------------------------------------------------------------------
@@ -121,7 +125,7 @@ class Lagrangian {
   void set_up_scales(Workers& workers);
   void set_up_cells(Workers& workers);
   void set_up_functions();
-  double typical_stiffness(const CellBlock& cells) const;
+  double typical_stiffness(CellBlock cells) const;
 
   Slope psi(double v, double lambda) const;
   Slope psi_of_equation(double v, double lambda) const;
@@ -146,6 +150,7 @@ class Lagrangian {
   void update_multipliers(Workers& workers, Points x);
 
   const Mesh& input_;
+  const Points origin_;
   const Problem& problem_;
   const Layout& layout_;
   double dimension_ = 2.0;
@@ -167,7 +172,7 @@ class Lagrangian {
   double mu_ = 0.0;
   double rho_ = 0.0;
   double last_residual_ = 0.0;
-  bool settled_ = false;
+  bool dormant_ = false;
 };
 
 }  // namespace evenmesh

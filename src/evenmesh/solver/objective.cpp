@@ -106,8 +106,8 @@ void hold_free_pieces(std::vector<char> held, SymmetricMatrix& matrix) {
 Objective::Objective(const Mesh& mesh, const Problem& problem)
     : problem_(problem), layout_(mesh.cells(), mesh.point_count()), motion_(problem.motion) {}
 
-void Objective::constrain(Workers& workers, const Mesh& mesh) {
-  lagrangian_.emplace(workers, mesh, problem_, layout_);
+void Objective::constrain(Workers& workers, const Mesh& mesh, Points origin) {
+  lagrangian_.emplace(workers, mesh, origin, problem_, layout_);
 }
 
 double Objective::evaluate(Workers& workers, Points x, std::span<Vec3> gradient) const {

@@ -23,8 +23,9 @@ class Objective {
   Objective(const Objective&) = delete;
   Objective& operator=(const Objective&) = delete;
 
-  /// Adds the constraints. The mesh must outlive the objective.
-  void constrain(Workers& workers, const Mesh& mesh);
+  /// Adds the constraints. The mesh and the points must outlive the objective.
+  /// @param origin  where moves are measured from
+  void constrain(Workers& workers, const Mesh& mesh, Points origin);
   /// Null before constrain().
   Lagrangian* lagrangian() { return lagrangian_ ? &*lagrangian_ : nullptr; }
   const Lagrangian* lagrangian() const { return lagrangian_ ? &*lagrangian_ : nullptr; }

@@ -76,6 +76,8 @@ std::optional<Reordered> reorder_if_poor(const Mesh& mesh, const Problem& proble
   for (const Target& target : problem.targets) {
     result.problem.targets.push_back({number[target.vertex], target.position});
   }
+  std::sort(result.problem.targets.begin(), result.problem.targets.end(),
+            [](const Target& a, const Target& b) { return a.vertex < b.vertex; });
   if (!problem.max_move.empty()) {
     result.problem.max_move.reserve(result.order.size());
     for (const Index v : result.order) result.problem.max_move.push_back(problem.max_move[v]);

@@ -83,15 +83,16 @@ struct ActiveCell {
 /// A limit on a vertex's move, or a bound on a function, that is active or not met.
 struct ActiveBound {
   std::size_t number = 0;   // of the vertex, or of the bound in Problem::bounds
-  double multiplier = 0.0;  // derivative of the cost with respect to the limit
+  double multiplier = 0.0;  // derivative of the cost with respect to the bound; of a move's limit
+                            // what the cost gains per length by which it is relaxed
   double excess = 0.0;      // how far beyond the limit, in its own unit; 0: met
 };
 
 /// What keeps vertices back from lowering the cost further.
 struct Holding {
   /// Per vertex: the derivative of the cost with respect to a move that what was eliminated forbids
-  /// (being fixed, sliding on a line or surface, being tied): the length of that constraint's
-  /// multiplier. 0 where the vertex is free.
+  /// (being fixed, sliding on a line or surface): the length of that constraint's multiplier. Of a
+  /// tied vertex what the others take from it. 0 where the vertex is free.
   std::vector<float> of_vertex;
   std::vector<ActiveCell> cells;   // by cell
   std::vector<ActiveBound> moves;  // by vertex

@@ -64,8 +64,8 @@ void check_size(const Mesh& mesh) {
       size, kSmallest, kGreatest));
 }
 
-// Nobody else knows both the functions and the mesh.
-void check_bounds(const Mesh& mesh, const Problem& problem) {
+// Nobody else knows both the demands and the mesh.
+void check_demands(const Mesh& mesh, const Problem& problem) {
   for (const Bound& bound : problem.bounds) {
     for (const Index v : bound.function->vertices()) {
       if (v < mesh.point_count()) continue;
@@ -75,6 +75,12 @@ void check_bounds(const Mesh& mesh, const Problem& problem) {
     if (bound.lower <= bound.upper) continue;
     throw InvalidOption(fmt::format("{} cannot lie between {} and {}", bound.function->name(),
                                     bound.lower, bound.upper));
+  }
+  for (std::size_t v = 0; v < problem.max_move.size(); ++v) {
+    if (problem.max_move[v] > 0.0) continue;
+    throw InvalidOption(
+        fmt::format("the move of vertex {} must be limited to more than 0, not {}; fix it instead",
+                    v, problem.max_move[v]));
   }
 }
 
@@ -101,12 +107,38 @@ void count_moves(Points before, Points after, Report& report) {
   if (report.moved > 0) report.mean_move = sum / static_cast<double>(report.moved);
 }
 
+// Multipliers leave moves longer than allowed by a part in many thousands: cuts these off.
+// @param origin  where moves are measured from
+// @param start   where vertices are at the motion's start
+void keep_within_moves(const Problem& problem, Points origin, Points start,
+                       std::vector<Vec3>& points) {
+  if (problem.max_move.empty()) return;
+  const Motion& motion = problem.motion;
+  Motion::Places places = motion.start();
+  for (Index v = 0; v < points.size(); ++v) {
+    if (motion.leader(v) != v || motion.freedom(v) == Motion::Freedom::fixed) continue;
+    double limit = std::numeric_limits<double>::infinity();
+    motion.for_tied(v, [&](Index u) { limit = std::min(limit, problem.max_move[u]); });
+    // A track may bend away from the way back: a few attempts.
+    constexpr int kMostCuts = 20;
+    for (int i = 0; i < kMostCuts && (points[v] - origin[v]).norm() > limit; ++i) {
+      const Vec3 move = points[v] - origin[v];
+      points[v] = origin[v] + ((1.0 - 1e-12 - 1e-3 * i) * limit / move.norm()) * move;
+      motion.retract(v, start, motion.start(), points, places);
+    }
+  }
+}
+
 // smooth() for a mesh in good order, step by step.
 class Smoothing {
  public:
-  Smoothing(Workers& workers, const Mesh& mesh, const Problem& problem, const Options& options)
+  /// @param origin  where moves are measured from: the mesh's points, unless it has been brought
+  ///                to targets
+  Smoothing(Workers& workers, const Mesh& mesh, Points origin, const Problem& problem,
+            const Options& options)
       : workers_(workers),
         mesh_(mesh),
+        origin_(origin),
         problem_(problem),
         options_(options),
         guard_(workers, mesh, problem.orientation) {
@@ -114,6 +146,7 @@ class Smoothing {
       limit_.emplace(mesh, problem.orientation.type, problem.max_deviation);
       guard_.set_limit(&*limit_);
     }
+    guard_.set_motion(&problem.motion);
     report_.vertices = mesh.point_count();
     report_.movable = problem.motion.moving();
     report_.quality_before = report_.quality_after = guard_.before();
@@ -126,7 +159,7 @@ class Smoothing {
     timer_ = Timer();
     const double cpu_before = cpu_seconds();
     Objective objective(mesh_, problem_);
-    objective.constrain(workers_, mesh_);
+    objective.constrain(workers_, mesh_, origin_);
     Multigrid preconditioner(workers_, objective.majoriser(workers_, points_),
                              objective.projectors(problem_.motion.start()));
     report_.multigrid_levels = preconditioner.levels();
@@ -145,15 +178,15 @@ class Smoothing {
     report_.cost_before = objective.cost(workers_, mesh_.points());
 
     timer_ = Timer();
-    keep_within_moves(points_);
+    keep_within_moves(problem_, origin_, mesh_.points(), points_);
     Guard::Result result = guard_.enforce(workers_, points_, judge(), options_.representable);
+    find_what_holds(objective);
     if (result.mean_fell) keep_best_iterate(objective, preconditioner, flips, result);
     report_.promise = result.promise;
     report_.pulled_back = result.pulled_back;
     report_.deviation = result.deviation;
     report_.quality_after = result.after;
     report_.cost_after = objective.cost(workers_, points_);
-    find_what_holds(objective);
     restore_unmoved(mesh_.points(), points_);
     count_moves(mesh_.points(), points_, report_);
     report_.check_seconds += timer_.seconds();
@@ -165,21 +198,6 @@ class Smoothing {
  private:
   Judge judge() const {
     return options_.allow_worse ? Judge::inversion : Judge::quality_and_inversion;
-  }
-
-  // Multipliers leave moves longer than allowed by a part in many thousands: cuts these off.
-  void keep_within_moves(std::vector<Vec3>& points) const {
-    const Motion& motion = problem_.motion;
-    Motion::Places places = motion.start();
-    for (std::size_t v = 0; v < problem_.max_move.size(); ++v) {
-      const Vec3& start = mesh_.points()[v];
-      for (double part = 1.0; (points[v] - start).norm() > problem_.max_move[v]; part *= 0.999) {
-        const Vec3 move = points[v] - start;
-        points[v] = start + (part * (1.0 - 1e-12) * problem_.max_move[v] / move.norm()) * move;
-        motion.retract(motion.leader(static_cast<Index>(v)), mesh_.points(), motion.start(), points,
-                       places);
-      }
-    }
   }
 
   // Multipliers: of what was eliminated, the part of the gradient that vertices cannot follow.
@@ -199,13 +217,17 @@ class Smoothing {
     objective.evaluate(workers_, points_, gradient);
     const Motion& motion = problem_.motion;
     Motion::Places places;
-    std::vector<Vec3> x = points_;
-    motion.retract(workers_, mesh_.points(), motion.start(), x, places);
+    if (!motion.slots().empty()) {
+      std::vector<Vec3> x = points_;
+      motion.retract(workers_, mesh_.points(), motion.start(), x, places);
+    }
     holding.of_vertex.assign(points_.size(), 0.0f);
     for_ranges(workers_, points_.size(), [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         const auto vertex = static_cast<Index>(v);
-        const Vec3 rest = gradient[v] - motion.project(places, vertex, gradient[v]);
+        const bool tied = motion.is_tied(vertex);
+        const Vec3 rest =
+            tied ? gradient[v] : Vec3(gradient[v] - motion.project(places, vertex, gradient[v]));
         holding.of_vertex[v] = static_cast<float>(rest.norm());
       }
     });
@@ -239,7 +261,7 @@ class Smoothing {
       return number++ < best_number + kPatience;
     });
     if (best_number == 0) return;
-    keep_within_moves(best);
+    keep_within_moves(problem_, origin_, mesh_.points(), best);
     const Guard::Result other = guard_.enforce(workers_, best, judge(), options_.representable);
     if (other.promise == Promise::unimproved ||
         other.after.of(Metric::shape).mean <= result.after.of(Metric::shape).mean) {
@@ -248,13 +270,18 @@ class Smoothing {
     result = other;
     result.promise = Promise::earlier_iterate;
     points_ = std::move(best);
+    // Newton's are the last ones.
+    const int left_out = again.history.back().number - best_number;
+    again.newton_steps = std::max(0, again.newton_steps - left_out);
     again.history.resize(static_cast<std::size_t>(best_number) + 1);
     again.stop = report_.stop;
     report_ = std::move(again);
+    find_what_holds(objective);
   }
 
   Workers& workers_;
   const Mesh& mesh_;
+  const Points origin_;
   const Problem& problem_;
   const Options& options_;
   Timer timer_;
@@ -268,15 +295,23 @@ class Smoothing {
 Report bring_and_smooth(Workers& workers, Mesh& mesh, const Problem& problem,
                         const Options& options) {
   if (problem.targets.empty()) {
-    Smoothing smoothing(workers, mesh, problem, options);
+    Smoothing smoothing(workers, mesh, mesh.points(), problem, options);
     smoothing.run();
     mesh.set_points(std::move(smoothing.points()));
     return smoothing.report();
   }
-  const Brought brought = bring_to_targets(workers, mesh, problem, options);
-  Problem there = problem;
-  there.motion.start_from(workers, mesh.points(), brought.mesh.points());
-  Smoothing smoothing(workers, brought.mesh, there, options);
+  const Timer timer;
+  Brought brought = bring_to_targets(workers, mesh, problem, options);
+  Options rest = options;
+  if (options.time_limit_seconds > 0.0) {
+    rest.time_limit_seconds = std::max(1e-9, options.time_limit_seconds - timer.seconds());
+  }
+  std::vector<Vec3> there(brought.mesh.points().begin(), brought.mesh.points().end());
+  keep_within_moves(problem, mesh.points(), mesh.points(), there);
+  brought.mesh.set_points(options.representable ? options.representable(there) : there);
+  Problem at_targets = problem;
+  at_targets.motion.start_from(workers, mesh.points(), brought.mesh.points());
+  Smoothing smoothing(workers, brought.mesh, mesh.points(), at_targets, rest);
   smoothing.run();
   Report report = smoothing.report();
   report.quality_before =
@@ -293,7 +328,7 @@ Report bring_and_smooth(Workers& workers, Mesh& mesh, const Problem& problem,
 Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
   check(options);
   check_size(mesh);
-  check_bounds(mesh, problem);
+  check_demands(mesh, problem);
   assert(problem.motion.size() == mesh.point_count());
   Workers workers(options.threads);
   const Timer ordering;

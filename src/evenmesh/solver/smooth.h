@@ -40,6 +40,8 @@ void check(const Options& options);
 /// - for every metric the worst value over the mesh is at least as good (unless cells were inverted
 ///   before: getting rid of them comes first), and the mean of `shape` is
 ///   at least as high (unless options.allow_worse).
+/// With targets this is in comparison with the mesh after vertices were brought to them, which the
+/// caller may find to have cells that are inverted and were not.
 /// Where the minimiser would break this, vertices around the offending cells are pulled back
 /// towards where they were; where its mean of `shape` is lower than the input's, an earlier iterate
 /// may be kept instead. Report::promise says so.
