@@ -9,7 +9,6 @@
 #include "apps/evenmesh/console.h"
 #include "apps/evenmesh/loading.h"
 #include "evenmesh/problem/constraint_text.h"
-#include "evenmesh/problem/problem.h"
 
 namespace evenmesh::app {
 
@@ -50,9 +49,5 @@ int info_command(const InputArguments& arguments, const Console& console);
 
 /// Smooths the paper's meshes with known optima.
 int demo_command(const Console& console);
-
-/// "local=0.3,barycenter" -> names and weights (1 where none is given); nothing: none.
-/// @throws InvalidOption  the text does not parse, or a weight is beyond reason
-std::vector<CostChoice> parse_costs(const std::string& text);
 
 }  // namespace evenmesh::app

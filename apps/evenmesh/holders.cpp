@@ -35,37 +35,44 @@ void add(HoldingConstraint& constraint, double& greatest, double multiplier, std
   constraint.strongest = std::move(name);
 }
 
+// What is active for a cell or vertex, in a list sorted by its number; null if nothing is.
+template <typename Active, typename Number>
+const Active* find(const std::vector<Active>& sorted, Number Active::*number, std::size_t wanted) {
+  const auto found = std::ranges::lower_bound(sorted, wanted, {}, number);
+  return found != sorted.end() && (*found).*number == wanted ? &*found : nullptr;
+}
+
 }  // namespace
 
 std::vector<std::string> Holders::of_cell(std::size_t cell, std::span<const Index> vertices) const {
   std::vector<std::pair<double, std::string>> found;
-  for (const ActiveCell& active : holding_.cells) {
-    if (active.cell != cell) continue;
-    found.emplace_back(
-        active.multiplier,
-        active.excess > 0.0
-            ? fmt::format("its least size is not met (multiplier {:.3g})", active.multiplier)
-            : fmt::format("it is at its least size (multiplier {:.3g})", active.multiplier));
+  const auto note = [&found](double multiplier, std::string_view what) {
+    found.emplace_back(multiplier, fmt::format("{} (multiplier {:.3g})", what, multiplier));
+  };
+  if (const ActiveCell* active = find(holding_.cells, &ActiveCell::cell, cell)) {
+    note(active->multiplier,
+         active->excess > 0.0 ? "its least size is not met" : "it is at its least size");
   }
   const bool planar = problem_.orientation.type == MeshType::planar;
   for (const Index v : vertices) {
-    const double multiplier = holding_.of_vertex[v];
+    const double multiplier = holding_.of_vertex.empty() ? 0.0 : holding_.of_vertex[v];
     const std::string_view doing = what_it_does(problem_.motion.freedom(v), planar);
-    if (doing.empty() || !(multiplier > 0.0)) continue;
-    found.emplace_back(multiplier, fmt::format("{} {} (multiplier {:.3g})", names_.vertex_name(v),
-                                               doing, multiplier));
-  }
-  for (const ActiveBound& active : holding_.moves) {
-    if (std::find(vertices.begin(), vertices.end(), active.number) == vertices.end()) continue;
-    found.emplace_back(
-        active.multiplier,
-        fmt::format("{} has gone as far as it may (multiplier {:.3g})",
-                    names_.vertex_name(static_cast<Index>(active.number)), active.multiplier));
+    if (!doing.empty() && multiplier > 0.0) {
+      note(multiplier, fmt::format("{} {}", names_.vertex_name(v), doing));
+    }
+    if (const ActiveBound* active = find(holding_.moves, &ActiveBound::number, v)) {
+      note(active->multiplier, fmt::format("{} has gone as far as it may", names_.vertex_name(v)));
+    }
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> result;
   for (auto& [multiplier, text] : found) result.push_back(std::move(text));
+  const auto stays = [&](Index v) { return problem_.motion.freedom(v) == Motion::Freedom::fixed; };
+  // Such a cell is in no optimisation, and where nothing moves there was none.
+  if (result.empty() && std::ranges::all_of(vertices, stays)) {
+    result.push_back("all its vertices are fixed");
+  }
   return result;
 }
 

@@ -44,7 +44,8 @@ constexpr const char* kExitCodes = R"(
 Selectors (SEL): all, none, boundary, features, corners, interface, non_manifold, id:1,5-9,
   box:x0,y0,z0,x1,y1,z1, group:NAME, combined with + - & from left to right.
 Exit codes: 0 done; 1 internal error; 2 wrong usage; 3 a file cannot be read or written;
-  4 check found inverted cells; 5 refused, nothing written; 130 interrupted.
+  4 check found inverted cells, or a demand is not met (what could be had was written);
+  5 refused, nothing written; 130 interrupted.
 )";
 
 // The command line, quoted so that a shell takes it back.

@@ -21,7 +21,7 @@ namespace {
 // One phrase for every time the option is given.
 void add_phrases(CLI::App& app, const std::string& name, std::vector<std::string>& phrases,
                  const std::string& what) {
-  app.add_option(name, phrases, what)->allow_extra_args(false)->type_name("TEXT ...");
+  app.add_option(name, phrases, what)->allow_extra_args(false)->option_text("TEXT (repeatable)");
 }
 
 void add_constraints(CLI::App& app, ConstraintText& text) {
@@ -32,7 +32,9 @@ void add_constraints(CLI::App& app, ConstraintText& text) {
   add_phrases(app, "--slide", text.slide,
               "'SEL on WHAT': line, plane, circle, cylinder, sphere (fitted, or with numbers as in "
               "plane:x=0), features, boundary, surface, surface=FILE");
-  app.add_option("--surface", text.surface, "a mesh whose faces the vertices slide on");
+  app.add_option(
+      "--surface", text.surface,
+      "a mesh whose faces the vertices slide on; corners stay, edges keep to their edges");
   add_phrases(app, "--symmetry", text.symmetry,
               "x=0 or px,py,pz,nx,ny,nz: vertices in this plane stay in it");
   add_phrases(app, "--periodic", text.periodic,

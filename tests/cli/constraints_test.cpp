@@ -117,6 +117,24 @@ TEST_F(ConstraintOptions, ThatContradictEachOtherNameAVertexOfTheFile) {
   expect_refused({"--prescribe", "all = x,y,("}, {"--prescribe", "all = x,y,("});
 }
 
+TEST_F(ConstraintOptions, ByDefaultSayHowFarASurfaceMayBeLeftAndWhich) {
+  testing::write_obj(shapes::cube_surface(4), folder_.path() / "in.obj");
+  testing::write_obj(shapes::cube_surface(4), folder_.path() / "other.obj");
+  for (const std::vector<std::string>& asked :
+       {std::vector<std::string>{}, std::vector<std::string>{"--surface", "other.obj"}}) {
+    const Outcome outcome = dry_run(asked);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    // As in the line of the constraint, between parentheses.
+    const std::size_t begin = outcome.out.find('(', outcome.out.find("# max_deviation")) + 1;
+    const std::string note = outcome.out.substr(begin, outcome.out.find(")\n", begin) - begin);
+    EXPECT_TRUE(note.starts_with("at most ")) << note;
+    EXPECT_NE(outcome.err.find("--max-deviation, by default: " + note + "\n"), std::string::npos)
+        << outcome.err;
+  }
+  const std::string asked = dry_run({"--max-deviation", "1%"}).err;
+  EXPECT_EQ(asked.find("--max-deviation"), std::string::npos) << asked;
+}
+
 TEST_F(ConstraintOptions, ReadOtherFiles) {
   testing::write_obj(shapes::quad_grid(4), folder_.path() / "even.obj");
   folder_.write("moves.csv", "id,dx,dy,dz\n3,0.01,0,0\n");
@@ -127,6 +145,43 @@ TEST_F(ConstraintOptions, ReadOtherFiles) {
   const Outcome missing = dry_run({"--prescribe", "missing.obj"});
   EXPECT_EQ(missing.exit_code, 3) << missing.err;
   EXPECT_NE(missing.err.find("missing.obj: cannot be opened"), std::string::npos) << missing.err;
+}
+
+// A grid whose boundary is folded over itself at one vertex and fixed: some cell stays inverted.
+TEST_F(ConstraintOptions, ThatAreMetDoNotFailForACellThatStaysInverted) {
+  Mesh folded = shapes::triangle_grid(4);
+  std::vector<Vec3> points(folded.points().begin(), folded.points().end());
+  points[2] = Vec3(0.5, 1.3, 0.0);
+  folded.set_points(std::move(points));
+  testing::write_obj(folded, folder_.path() / "in.obj");
+  const auto code_of = [&](std::vector<std::string> asked) {
+    const std::string shown = ::testing::PrintToString(asked);
+    asked.insert(asked.end(),
+                 {"-o", "out.obj", "--fix", "boundary", "--allow-worse", "--json", "r.json"});
+    const Outcome outcome = start(asked);
+    const auto report = nlohmann::json::parse(read_bytes(folder_.path() / "r.json"));
+    EXPECT_GT(report["inverted_after"], 0) << shown;
+    EXPECT_GT(report["unmet"], 0) << shown;
+    EXPECT_EQ(report["exit_code"], outcome.exit_code) << shown;
+    EXPECT_EQ(report["still_inverted"].size(), report["inverted_after"]) << shown;
+    EXPECT_NE(outcome.err.find(" is too small or inverted"), std::string::npos) << outcome.err;
+    return outcome.exit_code;
+  };
+  EXPECT_EQ(code_of({}), 0);
+  EXPECT_EQ(code_of({"--max-move", "1"}), 0);
+  EXPECT_EQ(code_of({"--limit", "all max-move 1"}), 0);
+  EXPECT_EQ(code_of({"--keep", "area"}), 0);
+  EXPECT_EQ(code_of({"--min-area", "0.001"}), 4);
+  EXPECT_EQ(code_of({"--min-jacobian", "0.05"}), 4);
+  EXPECT_EQ(code_of({"--min-jacobian", "0.05", "--max-move", "1"}), 4);
+}
+
+TEST_F(ConstraintOptions, ThatCannotBeMetFail) {
+  const Outcome outcome = start({"-o", "out.obj", "--min-jacobian", "0.9999", "--allow-worse"});
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  EXPECT_NE(outcome.err.find("is too small or inverted; lower the demand"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(outcome.err.find("folded"), std::string::npos) << outcome.err;
 }
 
 // ---- configuration files ------------------------------------------------------------------------

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Every OBJ and STL of the corpus, from file to file: no worse, or refused with a reason.
+#include "tests/support/corpus.h"
+
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -19,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using testing::corpus;
 using testing::Outcome;
 using testing::read_bytes;
 using testing::run;
@@ -29,11 +31,6 @@ constexpr std::uintmax_t kLargest = 1'500'000;  // bytes; the larger ones take m
 #else
 constexpr std::uintmax_t kLargest = 100'000'000;
 #endif
-
-fs::path corpus() {
-  const char* const elsewhere = std::getenv("EVENMESH_CORPUS_DIR");
-  return elsewhere != nullptr ? elsewhere : EVENMESH_CORPUS_DIR;
-}
 
 std::vector<fs::path> corpus_files() {
   std::vector<fs::path> files;

@@ -46,6 +46,12 @@ TEST_F(Streams, NothingIsWrittenForTerminalsOnly) {
   EXPECT_EQ((outcome.out + outcome.err).find_first_of("\r\x1b"), std::string::npos);
 }
 
+TEST_F(Streams, VerboseListsIteratesWithTheFunctionThatTheirCostsAreOf) {
+  const std::string err = smooth({"-v"}).err;
+  EXPECT_NE(err.find("\niteration function "), std::string::npos) << err;
+  EXPECT_NE(err.find("\n        0        0 "), std::string::npos) << err;
+}
+
 TEST_F(Streams, QuietSaysNothingOnSuccess) {
   EXPECT_EQ(smooth({"-q"}).err, "");
   EXPECT_EQ(run({"check", in_, "-q"}).err, "");

@@ -2,7 +2,6 @@
 //
 // Surfaces of the corpus, from file to file: features stay features, the shape stays within its
 // bound, and the cells get better.
-#include <cstdlib>
 #include <filesystem>
 #include <ostream>
 
@@ -14,21 +13,18 @@
 #include "evenmesh/mesh/topology.h"
 #include "tests/cli/process.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/corpus.h"
 
 namespace evenmesh {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using testing::corpus;
 using testing::Outcome;
 using testing::read_bytes;
 using testing::run;
 using testing::TemporaryFolder;
-
-fs::path corpus() {
-  const char* const elsewhere = std::getenv("EVENMESH_CORPUS_DIR");
-  return elsewhere != nullptr ? elsewhere : EVENMESH_CORPUS_DIR;
-}
 
 struct Surface {
   const char* file;

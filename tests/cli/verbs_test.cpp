@@ -33,14 +33,25 @@ TEST(Help, StartsWithThreeExamplesAndListsExitCodes) {
   ASSERT_GT(shown.size(), 4u);
   EXPECT_EQ(shown[0], "Examples:");
   for (std::size_t i = 1; i <= 3; ++i) EXPECT_TRUE(shown[i].starts_with("  evenmesh ")) << shown[i];
-  for (const char* code : {"0 done", "1 internal error", "2 wrong usage", "3 a file",
-                           "4 check found", "5 refused", "130 interrupted"}) {
+  for (const char* code :
+       {"0 done", "1 internal error", "2 wrong usage", "3 a file", "4 check found",
+        "a demand is not met", "5 refused", "130 interrupted"}) {
     EXPECT_NE(help.out.find(code), std::string::npos) << code;
   }
   for (const char* option : {"--output", "--in-place", "--cost", "--fix", "--iterations",
                              "--tolerance", "--time-limit", "--threads", "--quiet", "--json"}) {
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
   }
+}
+
+TEST(Help, TellsWhichOptionsMayBeRepeated) {
+  const Outcome help = run({"--help"});
+  std::size_t repeatable = 0;
+  for (const std::string& line : lines(help.out)) {
+    EXPECT_EQ(line.find("..."), std::string::npos) << line;  // each use takes one value
+    if (line.find("TEXT (repeatable)") != std::string::npos) ++repeatable;
+  }
+  EXPECT_EQ(repeatable, 8u) << help.out;
 }
 
 TEST(Help, GivesTheVersion) {

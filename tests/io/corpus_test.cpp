@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Every OBJ and STL of the corpus: read or refused as it should be, and patched without a trace.
+#include "tests/support/corpus.h"
+
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -19,14 +20,10 @@ namespace evenmesh {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::corpus;
 using testing::difference_beside_coordinates;
 using testing::read_bytes;
 using testing::written;
-
-fs::path corpus() {
-  const char* const elsewhere = std::getenv("EVENMESH_CORPUS_DIR");
-  return elsewhere != nullptr ? elsewhere : EVENMESH_CORPUS_DIR;
-}
 
 bool is_obj_or_stl(const fs::path& path) {
   std::string suffix = path.extension().string();

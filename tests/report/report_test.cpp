@@ -77,6 +77,7 @@ TEST(RunReport, OfASuccessMatchesTheSchemaAndTheRun) {
   EXPECT_EQ(report["geometry"]["movable"], 25);
   EXPECT_EQ(report["worst"][0]["cell"], "face 1 (line 2)");
   EXPECT_EQ(report["notes"][0], "a note.");
+  EXPECT_EQ(report["still_inverted"], json::array());
   EXPECT_EQ(report["constraints"][0], json({{"kind", "fixed"},
                                             {"text", "--fix boundary"},
                                             {"entry", "eliminated"},
@@ -89,6 +90,28 @@ TEST(RunReport, OfASuccessMatchesTheSchemaAndTheRun) {
   EXPECT_EQ(report["quality"]["after"]["shape"]["max"], shape.best);
   const Distribution& angle = record.report.quality_after.of(Metric::max_angle);
   EXPECT_EQ(report["quality"]["after"]["max_angle"]["max"], angle.worst);
+}
+
+TEST(RunReport, NamesInvertedCellsWithWhatHoldsThem) {
+  RunRecord record = record_of(shapes::triangle_grid(3));
+  record.still_inverted = {{"face 7 (line 9)", {"vertex 3 is fixed"}}, {"face 8 (line 10)"}};
+  const json inverted = checked(record)["still_inverted"];
+  ASSERT_EQ(inverted.size(), 2u);
+  EXPECT_EQ(inverted[0]["cell"], "face 7 (line 9)");
+  EXPECT_EQ(inverted[0]["held_by"], json::array({"vertex 3 is fixed"}));
+  EXPECT_EQ(inverted[1]["cell"], "face 8 (line 10)");
+  EXPECT_EQ(inverted[1]["held_by"], json::array());
+}
+
+TEST(RunReport, TellsWhichIteratesHaveComparableCosts) {
+  RunRecord record = record_of(shapes::triangle_grid(3));
+  record.report.history = {{.number = 0, .inverted = 5},
+                           {.number = 1, .inverted = 2, .function = 3}};
+  const json history = checked(record)["history"];
+  EXPECT_EQ(history[0]["function"], 0);
+  EXPECT_EQ(history[1]["function"], 3);
+  EXPECT_EQ(history[0]["inverted"], 5);
+  EXPECT_EQ(history[1]["inverted"], 2);
 }
 
 TEST(RunReport, HasEveryPromisedKey) {

@@ -34,10 +34,16 @@ Json to_json(const QualitySummary& quality) {
 }
 
 Json to_json(const Iteration& iteration) {
-  return {{"iteration", iteration.number},  {"cost", iteration.cost},
-          {"gradient", iteration.gradient}, {"plain_gradient", iteration.plain_gradient},
-          {"step", iteration.step},         {"max_move", iteration.max_move},
-          {"limited", iteration.limited},   {"evaluations", iteration.evaluations},
+  return {{"iteration", iteration.number},
+          {"function", iteration.function},
+          {"cost", iteration.cost},
+          {"gradient", iteration.gradient},
+          {"plain_gradient", iteration.plain_gradient},
+          {"step", iteration.step},
+          {"max_move", iteration.max_move},
+          {"limited", iteration.limited},
+          {"inverted", iteration.inverted},
+          {"evaluations", iteration.evaluations},
           {"seconds", iteration.seconds}};
 }
 
@@ -50,6 +56,8 @@ Json to_json(const NamedCell& cell) {
           {"fixed_vertices", cell.fixed_vertices},
           {"held_by", cell.held_by}};
 }
+
+Json to_json(const InvertedCell& cell) { return {{"cell", cell.name}, {"held_by", cell.held_by}}; }
 
 Json to_json(const HoldingConstraint& holding) {
   return {{"kind", holding.kind},
@@ -127,7 +135,7 @@ std::string to_json(const RunRecord& record) {
         {"deviation", report.deviation},
         {"target_steps", report.target_steps}}},
       {"unmet", report.unmet},
-      {"still_inverted", record.still_inverted},
+      {"still_inverted", list_of(record.still_inverted)},
       {"holding", list_of(record.holding)},
       {"worst", list_of(record.worst)},
       {"time",

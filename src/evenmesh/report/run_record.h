@@ -27,6 +27,12 @@ struct NamedCell {
   std::vector<std::string> held_by = {};  // what keeps it from getting better, the strongest first
 };
 
+/// A cell that is inverted afterwards.
+struct InvertedCell {
+  std::string name;                       // in the file
+  std::vector<std::string> held_by = {};  // what keeps it from getting better, the strongest first
+};
+
 /// A constraint that keeps the cost from falling further.
 struct HoldingConstraint {
   std::string kind;            // "fixed", "slide", "validity", "max_move", or a function's name
@@ -56,9 +62,9 @@ struct RunRecord {
 
   std::vector<ConstraintSummary> constraints;  // what held
   Report report;
-  std::vector<NamedCell> worst;             // by shape afterwards, the worst first
-  std::vector<std::string> still_inverted;  // the first thousand, by their names in the file
-  std::vector<HoldingConstraint> holding;   // the strongest first
+  std::vector<NamedCell> worst;              // by shape afterwards, the worst first
+  std::vector<InvertedCell> still_inverted;  // the first thousand
+  std::vector<HoldingConstraint> holding;    // the strongest first
 
   double read_seconds = 0.0;
   double write_seconds = 0.0;  // including reading back and checking
