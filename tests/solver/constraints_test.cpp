@@ -211,7 +211,7 @@ TEST(Lagrangian, HasTheGradientOfItsValue) {
         }
       }
       // Through the stages of the penalty to the multipliers.
-      objective.lagrangian()->advance(workers, x, 100, Lagrangian::Progress::nearly);
+      objective.lagrangian()->advance(workers, x, 100, true);
     }
     EXPECT_EQ(objective.lagrangian()->mode(), Lagrangian::Mode::multipliers) << name;
   }

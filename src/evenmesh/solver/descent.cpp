@@ -142,13 +142,10 @@ class Descent {
   }
 
   // Lets multipliers and penalties follow the iterates; true if that made it another function.
-  bool change_function(bool converged) {
+  bool change_function(bool minimised) {
     Lagrangian* lagrangian = objective_.lagrangian();
     if (lagrangian == nullptr) return false;
-    const auto progress = converged                 ? Lagrangian::Progress::fully
-                          : norm() <= inner_target_ ? Lagrangian::Progress::nearly
-                                                    : Lagrangian::Progress::some;
-    const bool changed = lagrangian->advance(workers_, x_, steps_since_change_, progress);
+    const bool changed = lagrangian->advance(workers_, x_, steps_since_change_, minimised);
     steps_since_look_ = 0;
     if (!changed) {
       if (norm() <= inner_target_) inner_target_ = kInnerFall * norm();

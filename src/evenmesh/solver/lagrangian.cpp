@@ -313,14 +313,14 @@ void Lagrangian::enter_stage(int stage) {
   mu_ = kStages[static_cast<std::size_t>(stage)].mu;
 }
 
-bool Lagrangian::advance(Workers& workers, Points x, int steps, Progress progress) {
+bool Lagrangian::advance(Workers& workers, Points x, int steps, bool minimised) {
   if (dormant_) {
     dormant_ = violation(workers, x).cells == 0;
     return !dormant_;
   }
   if (mode_ == Mode::exact_penalty) {
     const bool met = violation(workers, x).cells == 0;
-    if (!met && progress == Progress::some && steps < kMostStepsInStage) return false;
+    if (!met && !minimised && steps < kMostStepsInStage) return false;
     if (met || stage_ + 1 == static_cast<int>(kStages.size())) {
       take_multipliers_from_penalty(workers, x);
       enter_stage(static_cast<int>(kStages.size()));

@@ -66,13 +66,11 @@ class Lagrangian {
 
   // ---- the schedule -----------------------------------------------------------------------------
 
-  /// How far the function as it is has been minimised.
-  enum class Progress : std::uint8_t { some, nearly, fully };
-
   /// To be called now and then: sees to stages and multipliers.
-  /// @param steps  since the function has changed last
+  /// @param steps      since the function has changed last
+  /// @param minimised  the function as it is has been minimised
   /// @return  true if the function has changed
-  bool advance(Workers& workers, Points x, int steps, Progress progress);
+  bool advance(Workers& workers, Points x, int steps, bool minimised);
   /// True while no row has been violated: the function is the cost alone, and rows are only looked
   /// at by advance().
   bool dormant() const { return dormant_; }
