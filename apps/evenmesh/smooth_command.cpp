@@ -155,7 +155,6 @@ class Run {
         .orientation = input_.orientation,
         .topology = input_.topology,
         .names = {.groups = file.group_names},
-        .topology_options = {.feature_angle = arguments_.input.feature_angle},
         .vertex_name = [&file](Index v) { return file.patch->vertex_name(v); },
         .read_mesh = [](const std::string& path) { return read_mesh(path).mesh; },
         .read_text = read_text,

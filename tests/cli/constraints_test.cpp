@@ -147,6 +147,7 @@ TEST_F(ConstraintOptions, ReadOtherFiles) {
   EXPECT_NE(missing.err.find("missing.obj: cannot be opened"), std::string::npos) << missing.err;
 }
 
+<<<<<<< HEAD
 // A grid whose boundary is folded over itself at one vertex and fixed: some cell stays inverted.
 TEST_F(ConstraintOptions, ThatAreMetDoNotFailForACellThatStaysInverted) {
   Mesh folded = shapes::triangle_grid(4);
@@ -182,6 +183,18 @@ TEST_F(ConstraintOptions, ThatCannotBeMetFail) {
   EXPECT_NE(outcome.err.find("is too small or inverted; lower the demand"), std::string::npos)
       << outcome.err;
   EXPECT_EQ(outcome.err.find("folded"), std::string::npos) << outcome.err;
+=======
+TEST_F(ConstraintOptions, CarryPrescribedMovesToAllImages) {
+  testing::write_obj(shapes::quad_grid(4), folder_.path() / "in.obj");
+  const Outcome outcome = start({"--periodic", "x=0 x=1", "--periodic", "y=0 y=1", "--prescribe",
+                                 "id:25 = 0.0625,0.03125,0", "-o", "out.obj"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string moved = read_bytes(folder_.path() / "out.obj");
+  for (const char* corner : {"v 0.0625 0.03125 0\n", "v 1.0625 0.03125 0\n", "v 0.0625 1.03125 0\n",
+                             "v 1.0625 1.03125 0\n"}) {
+    EXPECT_NE(moved.find(corner), std::string::npos) << corner << moved;
+  }
+>>>>>>> parts
 }
 
 // ---- configuration files ------------------------------------------------------------------------

@@ -221,7 +221,7 @@ TEST(Keep, SumsSurfaceCellsBesideVolumeCells) {
   const Mesh mesh({block.points().begin(), block.points().end()}, cells);
   EXPECT_DOUBLE_EQ(total(mesh, Keep::area), 1.0);
   EXPECT_DOUBLE_EQ(total(mesh, Keep::volume), 1.0);
-  EXPECT_TRUE(has(complaint(mesh, Keep::volume, 4), "group 4 has no volume cells"));
+  EXPECT_TRUE(has(complaint(mesh, Keep::volume, 4), "the group has no volume cells"));
 }
 
 TEST(Keep, BoundsTheTotalOfTheInputOrAGivenOne) {
@@ -250,7 +250,7 @@ TEST(Keep, SaysWhatCannotBeKept) {
   EXPECT_TRUE(has(complaint(shapes::cylinder_side(6, 2), Keep::volume), "12 boundary edges"));
   EXPECT_TRUE(has(complaint(shapes::moebius_strip(8), Keep::volume), "not closed"));
   EXPECT_TRUE(has(complaint(shapes::hex_grid(2), Keep::area), "no surface cells; try volume"));
-  EXPECT_TRUE(has(complaint(shapes::sphere_triangles(1), Keep::area, 7), "group 7 has no"));
+  EXPECT_TRUE(has(complaint(shapes::sphere_triangles(1), Keep::area, 7), "the group has no"));
   EXPECT_TRUE(has(complaint(Mesh(), Keep::area), "no surface cells"));
   for (const double value : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
     EXPECT_TRUE(has(complaint(shapes::quad_grid(2), Keep::area, {}, value), "positive and finite"));

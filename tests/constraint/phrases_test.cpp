@@ -115,7 +115,10 @@ TEST(KeepPhrase, IsOfAllOrOfAGroup) {
   EXPECT_EQ(parse_keep("volume").what, KeepPhrase::What::volume);
   EXPECT_EQ(parse_keep("area of left side").group, "left side");
   EXPECT_EQ(parse_keep("area of group:left").group, "left");
-  for (const char* bad : {"", "length", "area left", "area of", "areas"}) {
+  EXPECT_EQ(parse_keep("area of 'left side'").group, "left side");
+  EXPECT_EQ(parse_keep("volume of group:\"left\"").group, "left");
+  EXPECT_EQ(parse_keep("area of 'left").group, "'left");
+  for (const char* bad : {"", "length", "area left", "area of", "areas", "area of ''"}) {
     EXPECT_THROW(parse_keep(bad), InvalidOption) << bad;
   }
 }

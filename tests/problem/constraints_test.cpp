@@ -187,6 +187,26 @@ TEST(DefaultConstraints, AreLiftedWhereFree) {
   EXPECT_EQ(square.freedom(1), Freedom::plane);
 }
 
+TEST(DefaultConstraints, AreLiftedOnASurfaceWithoutLeavingIt) {
+  const Constrained sphere(shapes::sphere_triangles(2), {.free = {"id:1-10"}});
+  EXPECT_EQ(sphere.on_tracks(), sphere.mesh.point_count());
+  EXPECT_EQ(sphere.line("max_deviation", "default").count, sphere.mesh.point_count());
+}
+
+TEST(DefaultConstraints, LetAFreeCornerGoOntoEveryFaceAroundIt) {
+  const Constrained cube(shapes::cube_surface(4), {.free = {"box:-0.1,-0.1,-0.1,0.1,0.1,0.1"}});
+  EXPECT_EQ(cube.count(Freedom::fixed), 7u);
+  const Motion& motion = cube.problem.motion;
+  for (Index v = 0; v < cube.mesh.point_count(); ++v) {
+    if (!cube.mesh.points()[v].isZero(1e-12)) continue;
+    ASSERT_NE(motion.track(v), nullptr);
+    for (const Vec3& p : {Vec3(0.1, 0.05, 0), Vec3(0, 0.1, 0.05), Vec3(0.05, 0, 0.1)}) {
+      const Vec3 there = motion.track(v)->nearest(p, motion.start()[motion.slot(v)]).position;
+      EXPECT_NEAR((there - p).norm(), 0.0, 1e-12);
+    }
+  }
+}
+
 TEST(DefaultConstraints, GiveWayToTheOnesThatAreFixed) {
   const Constrained square(shapes::quad_grid(4), {.fix = "id:1,5"});
   EXPECT_EQ(square.count(Freedom::fixed), 2u);
@@ -262,6 +282,15 @@ TEST(Slides, GoOntoAnotherSurface) {
   EXPECT_EQ(on.on_tracks(), sphere.point_count());
 }
 
+TEST(Slides, OntoAnotherSurfaceAreMeasuredFromWhereTheyWereBrought) {
+  const Mesh sphere = shapes::scaled(shapes::sphere_triangles(2), 1.1);
+  const Constrained on(sphere, {.surface = "sphere.obj"});
+  const std::string& note = on.line("max_deviation", "default").note;
+  EXPECT_NE(note.find("of where it was brought"), std::string::npos) << note;
+  const Constrained own(sphere);
+  EXPECT_NE(own.line("max_deviation", "default").note.find("from the input"), std::string::npos);
+}
+
 TEST(Slides, OntoAnotherSurfaceLeaveEdgesWhereTheyAre) {
   const Constrained on(shapes::cube_surface(4), {.surface = "sphere.obj"});
   EXPECT_EQ(on.problem.targets.size(), 54u);
@@ -319,6 +348,16 @@ TEST(PeriodicSides, NameWhatHasNoImage) {
   expect_message(mesh, {.periodic = {"x=0 y=1"}}, {"not parallel"});
 }
 
+TEST(PeriodicSides, HavePairs) {
+  const Mesh square = shapes::quad_grid(4);
+  expect_message(square, {.periodic = {"x=0 x=0"}}, {"--periodic 'x=0 x=0'", "its own image"});
+  std::vector<Vec3> points(square.points().begin(), square.points().end());
+  points.emplace_back(0, 0, 0);
+  points.emplace_back(1, 0, 0);
+  expect_message(Mesh(points, square.cells()), {.periodic = {"id:26 id:27"}},
+                 {"--periodic 'id:26 id:27'", "no vertex of a cell"});
+}
+
 // ---- prescribed places and limits ---------------------------------------------------------------
 
 TEST(Prescribed, PlacesAreTargetsOfFixedVertices) {
@@ -342,13 +381,64 @@ TEST(Prescribed, TakeTheirImagesAlong) {
   EXPECT_NEAR(square.problem.targets[0].position.y(), 0.1, 1e-15);
 }
 
+TEST(Prescribed, TakeAllTheirImagesAlong) {
+  const auto expect_moved = [](const std::vector<std::string>& periodic,
+                               const std::vector<Index>& images) {
+    const Constrained square(
+        shapes::quad_grid(4),
+        {.fix = "none", .periodic = periodic, .prescribe = {"id:5 = moves.csv"}});
+    ASSERT_EQ(square.problem.targets.size(), images.size());
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      const Target& target = square.problem.targets[i];
+      EXPECT_EQ(target.vertex, images[i]);
+      const Vec3 moved = target.position - square.mesh.points()[target.vertex];
+      EXPECT_NEAR((moved - Vec3(0, 0.1, 0)).norm(), 0.0, 1e-15);
+      EXPECT_EQ(square.freedom(target.vertex), Freedom::fixed);
+    }
+  };
+  expect_moved({"x=0 x=0.5", "x=0.5 x=1"}, {0, 2, 4});
+  expect_moved({"x=0 x=1", "y=0 y=1"}, {0, 4, 20, 24});
+}
+
+TEST(Prescribed, PlacesWhereVerticesAreFixThemAndMoveNothing) {
+  // The stub moves by a tenth of the place, which is nothing at the origin.
+  const Constrained square(shapes::quad_grid(4), {.fix = "none", .prescribe = {"id:1 = a,b,c"}});
+  EXPECT_TRUE(square.problem.targets.empty());
+  EXPECT_EQ(square.freedom(0), Freedom::fixed);
+  EXPECT_EQ(square.count(Freedom::fixed), 1u);
+  expect_message(
+      shapes::quad_grid(4),
+      {.fix = "none", .periodic = {"x=0 x=1"}, .prescribe = {"id:1 = a,b,c", "id:5 = moves.csv"}},
+      {"--periodic 'x=0 x=1' and --prescribe", "would move differently, by 0.1"});
+}
+
+TEST(Prescribed, ByATableWhateverTheCaseOfItsSuffix) {
+  const Constrained square(shapes::quad_grid(4), {.prescribe = {"all = MOVES.CSV"}});
+  EXPECT_EQ(square.problem.targets.size(), 1u);
+}
+
+TEST(EqualSpacing, KeepsTheEndsOfItsCurves) {
+  const Constrained open(shapes::quad_grid(4), {.fix = "none", .equal_spacing = {"id:2-4"}});
+  EXPECT_EQ(open.count(Freedom::fixed), 3u);
+  for (const std::string deviation : {"", "1%"}) {
+    const Constrained loops(disk(24), {.max_deviation = deviation, .equal_spacing = {"boundary"}});
+    EXPECT_EQ(loops.count(Freedom::fixed), 48u);
+    EXPECT_EQ(loops.line("equal_spacing", "--equal-spacing boundary").count, 48u);
+  }
+}
+
+TEST(EqualSpacing, CountsAnEndOfTwoCurvesOnce) {
+  const Constrained square(shapes::quad_grid(4), {.equal_spacing = {"boundary"}});
+  EXPECT_EQ(square.line("equal_spacing", "--equal-spacing boundary").count, 16u);
+}
+
 TEST(EqualSpacing, MovesVerticesAlongTheirSide) {
   Mesh mesh = shapes::quad_grid(4);
   std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
   points[1].x() = 0.1;
   mesh.set_points(points);
   const Constrained even(mesh, {.equal_spacing = {"id:1-5"}});
-  EXPECT_EQ(even.line("equal_spacing", "--equal-spacing id:1-5").count, 3u);
+  EXPECT_EQ(even.line("equal_spacing", "--equal-spacing id:1-5").count, 5u);
   EXPECT_NEAR(even.problem.targets.at(0).position.x(), 0.25, 1e-12);
 }
 
@@ -357,6 +447,63 @@ TEST(Limits, AreLengthsOrPartsOfTheEdgesAround) {
                            {.max_move = "0.2h", .limit = {"id:1 max-move 0.01"}});
   EXPECT_EQ(square.problem.max_move[0], 0.01);
   EXPECT_NEAR(square.problem.max_move[12], 0.05, 1e-12);
+}
+
+TEST(Limits, AreLengthsInAUnitThatMakesSense) {
+  const Mesh mesh = shapes::quad_grid(2);
+  const Orientation orientation = find_orientation(mesh);
+  const Topology topology = find_topology(mesh, orientation);
+  const auto expect_refused = [&](const Constraints& constraints, const std::string& option) {
+    Problem problem;
+    problem.orientation = orientation;
+    try {
+      apply(mesh, topology, constraints, problem);
+      ADD_FAILURE() << option;
+    } catch (const InvalidOption& error) {
+      EXPECT_NE(std::string(error.what()).find(option), std::string::npos) << error.what();
+    }
+  };
+  using Unit = Length::Unit;
+  const double nan = std::nan("");
+  expect_refused({.max_deviation = Length{-1.0}}, "--max-deviation");
+  expect_refused({.max_deviation = Length{nan}}, "--max-deviation");
+  expect_refused({.max_deviation = Length{0.1, Unit::of_edges}}, "--max-deviation");
+  expect_refused({.min_size = Length{0.0}}, "--min-area");
+  expect_refused({.min_size = Length{0.1, Unit::of_diagonal}}, "--min-area");
+  expect_refused({.min_jacobian = nan}, "--min-jacobian");
+  const Selection all{"limit", std::vector<char>(mesh.point_count(), 1)};
+  expect_refused({.move_limits = {{all, Length{HUGE_VAL}}}}, "limit");
+  expect_refused({.move_limits = {{all, Length{0.1, Unit::of_mean_size}}}}, "limit");
+}
+
+TEST(Limits, OfAnEarlierApplicationAreForgotten) {
+  Constrained square(shapes::quad_grid(4), {.max_move = "0.2",
+                                            .max_deviation = "0.1",
+                                            .min_area = "0.001",
+                                            .min_jacobian = "0.1",
+                                            .keep = {"area"},
+                                            .prescribe = {"id:5 = moves.csv"}});
+  apply(square.mesh, square.topology, {}, square.problem);
+  EXPECT_EQ(square.problem.validity.min_size, 0.0);
+  EXPECT_EQ(square.problem.validity.min_jacobian, 0.0);
+  EXPECT_TRUE(square.problem.bounds.empty());
+  EXPECT_TRUE(square.problem.max_move.empty());
+  EXPECT_TRUE(square.problem.targets.empty());
+  EXPECT_TRUE(std::isinf(square.problem.max_deviation));
+}
+
+TEST(Limits, HoldForAPointToo) {
+  Cells cells;
+  cells.add(CellKind::triangle, std::array<Index, 3>{0, 1, 2});
+  const Constrained point(Mesh(std::vector<Vec3>(3, Vec3(1, 2, 3)), std::move(cells)),
+                          {.slide = {"all on boundary"},
+                           .symmetry = {"x=1"},
+                           .max_move = "0.5",
+                           .min_jacobian = "0.1"});
+  EXPECT_EQ(point.count(Freedom::fixed), 3u);
+  EXPECT_EQ(point.problem.validity.min_jacobian, 0.1);
+  EXPECT_EQ(point.problem.max_move.size(), 3u);
+  EXPECT_EQ(point.line("max_move", "--max-move 0.5").count, 3u);
 }
 
 TEST(Limits, OfCellsBecomeValidity) {
@@ -375,6 +522,16 @@ TEST(Keep, BecomesABound) {
   EXPECT_EQ(square.line("area", "--keep area").entry, Entry::bordered);
   expect_message(shapes::quad_grid(4), {.keep = {"area of wall"}},
                  {"--keep 'area of wall'", "no group 'wall'"});
+}
+
+TEST(Keep, TakesANameInQuotationMarks) {
+  const Mesh mesh =
+      shapes::grouped(shapes::quad_grid(2), [](std::size_t c) { return c < 2 ? 1u : 2u; });
+  const Constrained left(mesh, {.keep = {"area of 'left side'"}}, {"", "left side", "right"});
+  EXPECT_EQ(left.line("area", "--keep 'area of 'left side''").count, 6u);
+  const std::string message =
+      message_of(mesh, {.keep = {"volume of right"}}, {"", "left side", "right"});
+  EXPECT_EQ(message.find("group 2"), std::string::npos) << message;
 }
 
 // ---- contradictions -----------------------------------------------------------------------------
@@ -398,6 +555,14 @@ TEST(Contradictions, NameBothSidesAndAVertex) {
   expect_message(square,
                  {.slide = {"id:2-4 on line"}, .prescribe = {"id:3 = a,b,c", "id:4 = a,b,c"}},
                  {"no error"});
+}
+
+TEST(Contradictions, NameThePhraseThatTiesAPair) {
+  expect_message(shapes::quad_grid(4),
+                 {.fix = "none",
+                  .periodic = {"x=0 x=1", "y=0 y=1"},
+                  .prescribe = {"id:5 = moves.csv", "id:25 = a,b,c"}},
+                 {"--periodic 'y=0 y=1' and --prescribe", "vertex 4", "vertex 24", "by 0.1"});
 }
 
 TEST(Contradictions, IncludeSelectionsWithoutVertices) {

@@ -7,12 +7,18 @@
 
 namespace evenmesh {
 
+/// White space of ASCII, whatever the locale.
+inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
 /// Without the spaces around it.
 std::string_view trimmed(std::string_view text);
 
 /// A piece of a user's text fit for a message, whatever its length and bytes: half a UTF-8 sequence
 /// would spoil a terminal or a JSON report.
 std::string shown(std::string_view text);
+
+/// With small letters for the capital ones of ASCII.
+std::string lower(std::string_view text);
 
 /// The known word that a misspelt one is nearest to, letters of either case being the same; empty
 /// if none is near.

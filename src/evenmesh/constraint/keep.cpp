@@ -236,9 +236,10 @@ void check_for_cells(const Mesh& mesh, Keep what, int dimension, const Group& gr
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     if (counts(cells, cell, dimension, group)) return;
   }
-  const std::string where = group ? fmt::format("group {}", *group) : "the mesh";
+  // Who asks by name knows the name, and the number says nothing to a user.
   throw InvalidOption(fmt::format("cannot keep the {0} of {1}: {1} has no {2} cells{3}", name(what),
-                                  where, dimension == 2 ? "surface" : "volume",
+                                  group ? "the group" : "the mesh",
+                                  dimension == 2 ? "surface" : "volume",
                                   dimension == 2 ? "; try volume" : ""));
 }
 

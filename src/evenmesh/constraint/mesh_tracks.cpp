@@ -2,14 +2,13 @@
 #include "evenmesh/constraint/mesh_tracks.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <span>
 #include <utility>
 
+#include "evenmesh/constraint/chains.h"
 #include "evenmesh/constraint/triangulation.h"
 #include "evenmesh/geometry/curve_track.h"
-#include "evenmesh/geometry/surface_track.h"
 #include "evenmesh/mesh/extent.h"
 #include "evenmesh/mesh/plane.h"
 
@@ -18,100 +17,9 @@ namespace {
 
 constexpr std::uint32_t kNone = MeshTracks::kNone;
 
-/// The curves' edges by vertex.
-class CurveNet {
- public:
-  CurveNet(std::size_t vertex_count, std::span<const VertexPair> edges)
-      : begins_(vertex_count + 1, 0), neighbours_(2 * edges.size()) {
-    for (const auto& [a, b] : edges) {
-      ++begins_[a + 1];
-      ++begins_[b + 1];
-    }
-    for (std::size_t v = 1; v < begins_.size(); ++v) begins_[v] += begins_[v - 1];
-    std::vector<Offset> next = begins_;
-    for (const auto& [a, b] : edges) {
-      neighbours_[next[a]++] = b;
-      neighbours_[next[b]++] = a;
-    }
-    for (std::size_t v = 0; v < vertex_count; ++v) {
-      std::sort(neighbours_.begin() + static_cast<std::ptrdiff_t>(begins_[v]),
-                neighbours_.begin() + static_cast<std::ptrdiff_t>(begins_[v + 1]));
-    }
-  }
-
-  std::span<const Index> around(Index v) const {
-    return {neighbours_.data() + begins_[v], neighbours_.data() + begins_[v + 1]};
-  }
-  bool has(Index a, Index b) const {
-    const auto list = around(a);
-    return std::binary_search(list.begin(), list.end(), b);
-  }
-
- private:
-  std::vector<Offset> begins_;
-  std::vector<Index> neighbours_;
-};
-
-/// Cuts the curves at corners.
-class RunFinder {
- public:
-  RunFinder(const CurveNet& net, std::span<const char> corners)
-      : net_(net), corners_(corners), seen_(corners.size(), 0) {}
-
-  /// Runs from corner to corner first, then closed ones; both by their least vertices.
-  std::vector<MeshTracks::Run> find() {
-    std::vector<MeshTracks::Run> runs;
-    for (Index v = 0; v < corners_.size(); ++v) {
-      if (!is_end(v)) continue;
-      for (const Index next : net_.around(v)) {
-        MeshTracks::Run run;
-        run.vertices = walk(v, next);
-        if (is_first_visit(run.vertices)) runs.push_back(std::move(run));
-      }
-    }
-    for (Index v = 0; v < corners_.size(); ++v) {
-      if (is_end(v) || seen_[v] || net_.around(v).empty()) continue;
-      MeshTracks::Run run;
-      run.closed = true;
-      run.vertices = walk(v, net_.around(v)[0]);
-      run.vertices.pop_back();
-      is_first_visit(run.vertices);
-      runs.push_back(std::move(run));
-    }
-    return runs;
-  }
-
- private:
-  bool is_end(Index v) const { return corners_[v] != 0 || net_.around(v).size() != 2; }
-
-  /// To the next end, or back to where it started.
-  std::vector<Index> walk(Index start, Index next) const {
-    std::vector<Index> run{start, next};
-    while (!is_end(run.back()) && run.back() != start) {
-      const auto around = net_.around(run.back());
-      const Index before = run[run.size() - 2];
-      run.push_back(around[0] == before ? around[1] : around[0]);
-    }
-    return run;
-  }
-
-  /// Every run between ends is met twice, once from each.
-  bool is_first_visit(std::span<const Index> run) {
-    const bool has_inner = run.size() > 2;
-    if (!has_inner) return run.front() < run.back();
-    if (seen_[run[1]]) return false;
-    for (const Index v : run) seen_[v] = 1;
-    return true;
-  }
-
-  const CurveNet& net_;
-  std::span<const char> corners_;
-  std::vector<char> seen_;
-};
-
 /// The surface of the faces, which curves divide.
 std::shared_ptr<const SurfaceTrack> surface_of(const Mesh& mesh, const Cells& faces,
-                                               const CurveNet& net) {
+                                               const EdgeNet& net) {
   const Triangulation triangulation(mesh.points(), faces);
   const auto triangles = triangulation.triangles();
   std::vector<std::uint8_t> barriers(triangles.size(), 0);
@@ -134,10 +42,12 @@ void hold(MeshTracks& result, std::size_t vertex) {
   result.patch[vertex] = kNone;
 }
 
-void add_runs(const Mesh& mesh, const CurveNet& net, const Topology& topology, MeshTracks& result) {
-  result.runs = RunFinder(net, topology.corners).find();
-  for (std::size_t r = 0; r < result.runs.size(); ++r) {
-    MeshTracks::Run& run = result.runs[r];
+void add_runs(const Mesh& mesh, const EdgeNet& net, const Topology& topology, MeshTracks& result) {
+  for (Chain& chain : cut_into_chains(net, topology.corners)) {
+    const auto r = static_cast<std::uint32_t>(result.runs.size());
+    MeshTracks::Run& run = result.runs.emplace_back();
+    run.vertices = std::move(chain.vertices);
+    run.closed = chain.closed;
     std::vector<Vec3> points;
     points.reserve(run.vertices.size());
     for (const Index v : run.vertices) points.push_back(mesh.points()[v]);
@@ -149,7 +59,7 @@ void add_runs(const Mesh& mesh, const CurveNet& net, const Topology& topology, M
     for (std::size_t k = inner; k + inner < run.vertices.size(); ++k) {
       const Index v = run.vertices[k];
       result.place[v] = VertexPlace::run;
-      result.track[v] = static_cast<std::uint32_t>(r);
+      result.track[v] = r;
       result.start[v] = track->at(k);
     }
   }
@@ -205,7 +115,7 @@ void place_on_surface(const Mesh& mesh, const SurfaceTrack& surface,
   }
 }
 
-void add_surface(const Mesh& mesh, const Cells& faces, const CurveNet& net, MeshTracks& result) {
+void add_surface(const Mesh& mesh, const Cells& faces, const EdgeNet& net, MeshTracks& result) {
   const auto surface = surface_of(mesh, faces, net);
   result.tracks.push_back(surface);
   std::size_t patches = 0;
@@ -217,7 +127,7 @@ void add_surface(const Mesh& mesh, const Cells& faces, const CurveNet& net, Mesh
 
 /// Interfaces within a volume keep their shape, and there is no track of them. Nor is there one
 /// of faces without extent.
-void hold_what_has_no_track(MeshType type, const CurveNet& net, const Topology& topology,
+void hold_what_has_no_track(MeshType type, const EdgeNet& net, const Topology& topology,
                             MeshTracks& result) {
   for (Index v = 0; v < result.place.size(); ++v) {
     const bool is_inside = result.place[v] == VertexPlace::inside;
@@ -269,13 +179,17 @@ MeshTracks find_mesh_tracks(const Mesh& mesh, const Orientation& orientation,
       result.place[v] = VertexPlace::inside;
     }
   }
-  const CurveNet net(n, topology.curves);
+  const EdgeNet net(n, topology.curves);
   add_runs(mesh, net, topology, result);
   if (orientation.type == MeshType::planar) return result;
   const bool is_volume = orientation.type == MeshType::volume;
   add_surface(mesh, is_volume ? topology.skin : mesh.cells(), net, result);
   hold_what_has_no_track(orientation.type, net, topology, result);
   return result;
+}
+
+std::shared_ptr<const SurfaceTrack> undivided_surface(const Mesh& mesh) {
+  return surface_of(mesh, mesh.cells(), EdgeNet(mesh.point_count(), {}));
 }
 
 }  // namespace evenmesh

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/geometry/surface_track.h"
 #include "evenmesh/geometry/track.h"
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/orientation.h"
@@ -83,5 +84,9 @@ bool is_straight(Points points);
 /// @pre  orientation and topology are those of the mesh
 MeshTracks find_mesh_tracks(const Mesh& mesh, const Orientation& orientation,
                             const Topology& topology);
+
+/// The faces of a mesh as one surface that no curves divide but edges of other than two triangles.
+/// Numbers of vertices beyond the mesh's are those of centres (see Triangulation).
+std::shared_ptr<const SurfaceTrack> undivided_surface(const Mesh& mesh);
 
 }  // namespace evenmesh

@@ -41,8 +41,6 @@ constexpr std::string_view kSlideForm =
   throw InvalidOption(fmt::format("{} '{}': {}", option, shown(text), what));
 }
 
-bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
 // The whole text as a finite number.
 std::optional<double> to_number(std::string_view text) {
   text = trimmed(text);
@@ -72,10 +70,6 @@ std::optional<std::vector<double>> to_numbers(std::string_view text) {
     numbers.push_back(*number);
   }
   return numbers;
-}
-
-Vec3 vector_at(const std::vector<double>& numbers, std::size_t at) {
-  return {numbers[at], numbers[at + 1], numbers[at + 2]};
 }
 
 void check_figure(const Figure& figure, const std::vector<double>& numbers, std::string_view text) {
@@ -127,6 +121,13 @@ std::size_t last_word(std::string_view text, std::string_view word) {
     if (is_space(text[at - 1]) && end < text.size() && is_space(text[end])) return at;
   }
   return std::string_view::npos;
+}
+
+// Without the quotation marks around it, if it has two.
+std::string_view unquoted(std::string_view text) {
+  const bool is_quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') &&
+                         text.front() == text.back();
+  return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
 bool ends_open(std::string_view text) {
@@ -266,8 +267,11 @@ KeepPhrase parse_keep(std::string_view text) {
   if ((what != "area" && what != "volume") || (!rest.empty() && !names_group)) {
     fail("--keep", text, "write area, volume, 'area of GROUP' or 'volume of GROUP'");
   }
-  if (!rest.empty()) phrase.group = trimmed(rest.substr(3));
-  if (phrase.group.starts_with("group:")) phrase.group.erase(0, 6);
+  if (rest.empty()) return phrase;
+  std::string_view group = trimmed(rest.substr(3));
+  if (group.starts_with("group:")) group = trimmed(group.substr(6));
+  phrase.group = unquoted(group);
+  if (phrase.group.empty()) fail("--keep", text, "which group? Write 'area of GROUP'");
   return phrase;
 }
 

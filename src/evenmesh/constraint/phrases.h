@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +29,8 @@ enum class SlideOn : std::uint8_t {
   surface
 };
 std::string_view name(SlideOn on);
+inline bool is_figure(SlideOn on) { return on <= SlideOn::sphere; }
+inline bool is_curve(SlideOn on) { return on == SlideOn::line || on == SlideOn::circle; }
 
 /// The plane through a point.
 struct Plane {
@@ -45,6 +49,11 @@ struct Length {
   double value = 0.0;
   Unit unit = Unit::absolute;
 };
+
+/// Three of the numbers that give a figure, from a place on.
+inline Vec3 vector_at(std::span<const double> numbers, std::size_t at) {
+  return {numbers[at], numbers[at + 1], numbers[at + 2]};
+}
 
 /// "SEL on WHAT".
 struct SlidePhrase {

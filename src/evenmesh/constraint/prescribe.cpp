@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "evenmesh/base/error.h"
+#include "evenmesh/base/text.h"
 
 namespace evenmesh {
 namespace {
@@ -24,25 +25,6 @@ constexpr std::string_view kFormats =
 
 [[noreturn]] void fail(std::size_t line, std::string_view what) {
   throw InvalidOption(fmt::format("line {}: {}", line, what));
-}
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-/// A piece of the text fit for a message.
-std::string shown(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  std::string result(text.substr(0, kLongest));
-  for (char& c : result) {
-    if (c < 0x20 || c > 0x7e) c = '?';
-  }
-  if (text.size() > kLongest) result += "...";
-  return result;
 }
 
 /// The fields of a line that is not empty. Blanks around a comma or semicolon belong to it.
@@ -61,14 +43,6 @@ std::vector<std::string_view> fields(std::string_view line) {
       }
     }
   }
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return result;
 }
 
 /// A whole field as a number; from_chars takes no plus.

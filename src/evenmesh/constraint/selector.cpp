@@ -25,7 +25,6 @@ constexpr std::array<std::string_view, 10> kWords = {
     "all",       "none",         "boundary", "features", "corners",
     "interface", "non_manifold", "id:",      "box:",     "group:"};
 
-bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_operator(char c) { return c == '+' || c == '-' || c == '&'; }
 

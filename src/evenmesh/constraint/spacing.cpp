@@ -2,19 +2,16 @@
 #include "evenmesh/constraint/spacing.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "evenmesh/base/error.h"
+#include "evenmesh/mesh/cell_edges.h"
 #include "evenmesh/mesh/curves.h"
-#include "evenmesh/mesh/extent.h"
-#include "evenmesh/mesh/sides.h"
 
 namespace evenmesh {
 namespace {
@@ -111,52 +108,12 @@ std::vector<Vec3> even_places(const Polyline& line, std::size_t stretch_count) {
 
 using Edges = std::vector<VertexPair>;
 
-/// The faces of a volume mesh that only one cell has; the cells themselves otherwise.
-Cells outer_surface(const Mesh& mesh) {
-  const Cells& cells = mesh.cells();
-  const bool is_volume = std::any_of(cells.kinds().begin(), cells.kinds().end(),
-                                     [](CellKind kind) { return traits(kind).dimension == 3; });
-  if (!is_volume) return cells;
-  Cells skin;
-  for_each_side(cells, mesh.point_count(), 3, [&](const Side& side) {
-    if (side.cells > 1) return;
-    const SideUse& use = side.uses[0];
-    const FaceVertices face = face_vertices(cells, use.cell, use.face);
-    skin.add(face.count == 3 ? CellKind::triangle : CellKind::quad, face.span(),
-             cells.group(use.cell));
-  });
-  return skin;
-}
-
-bool is_bent(const Mesh& mesh, const Cells& surface, const Side& side, double cosine) {
-  const SideUse& a = side.uses[0];
-  const SideUse& b = side.uses[1];
-  const Vec3 normal_a = unit_normal(mesh.points(), surface.vertices(a.cell));
-  const Vec3 normal_b = unit_normal(mesh.points(), surface.vertices(b.cell));
-  if (normal_a.isZero(0.0) || normal_b.isZero(0.0)) return false;
-  constexpr double kRounding = 1e-12;
-  const double product = normal_a.dot(normal_b);
-  return (a.forward != b.forward ? product : -product) < cosine - kRounding;
-}
-
-/// The edges of boundaries, features and the like both of whose ends are selected.
-Edges curve_edges(const Mesh& mesh, const Topology& topology, std::span<const char> mask,
-                  const TopologyOptions& options) {
-  const Cells surface = outer_surface(mesh);
-  const double cosine = std::cos(options.feature_angle * std::numbers::pi / 180.0);
+/// The edges of curves both of whose ends are selected.
+Edges curve_edges(const Topology& topology, std::span<const char> mask) {
   Edges result;
-  for_each_side(surface, mesh.point_count(), 2, [&](const Side& side) {
-    const VertexPair edge{side.first, side.uses[0].second};
-    if (!mask[edge[0]] || !mask[edge[1]]) return;
-    bool on_curve = side.cells != 2;
-    if (side.is_shared_by_two()) {
-      const bool between_groups =
-          surface.group(side.uses[0].cell) != surface.group(side.uses[1].cell);
-      const bool may_bend = topology.features[edge[0]] && topology.features[edge[1]];
-      on_curve = between_groups || (may_bend && is_bent(mesh, surface, side, cosine));
-    }
-    if (on_curve) result.push_back(edge);
-  });
+  for (const VertexPair& edge : topology.curves) {
+    if (mask[edge[0]] && mask[edge[1]]) result.push_back(edge);
+  }
   return result;
 }
 
@@ -164,84 +121,17 @@ Edges curve_edges(const Mesh& mesh, const Topology& topology, std::span<const ch
 Edges plain_edges(const Cells& cells, std::span<const char> mask,
                   const std::vector<char>& on_curve) {
   Edges result;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const auto vertices = cells.vertices(c);
-    const int count = static_cast<int>(vertices.size());
-    for (int j = 0; j < edge_count(cells.kind(c), count); ++j) {
-      const LocalEdge local = edge(cells.kind(c), count, j);
-      const auto [a, b] = std::minmax(vertices[static_cast<std::size_t>(local.a)],
-                                      vertices[static_cast<std::size_t>(local.b)]);
-      if (a == b || !mask[a] || !mask[b] || (on_curve[a] && on_curve[b])) continue;
-      result.push_back({a, b});
-    }
-  }
+  for_each_cell_edge(cells, [&](Index first, Index second) {
+    const auto [a, b] = std::minmax(first, second);
+    if (a == b || !mask[a] || !mask[b] || (on_curve[a] && on_curve[b])) return;
+    result.push_back({a, b});
+  });
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
-// ---- chains
-// ---------------------------------------------------------------------------------------
-
-/// Edges as a graph that gives away its paths one by one.
-class Network {
- public:
-  Network(const Edges& edges, std::size_t vertex_count)
-      : begins_(vertex_count + 1, 0), neighbours_(2 * edges.size()) {
-    for (const auto& [a, b] : edges) {
-      ++begins_[a + 1];
-      ++begins_[b + 1];
-    }
-    for (std::size_t v = 1; v < begins_.size(); ++v) begins_[v] += begins_[v - 1];
-    std::vector<Offset> ends(begins_.begin(), begins_.end() - 1);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const auto [a, b] = edges[i];
-      neighbours_[ends[a]++] = {b, i};
-      neighbours_[ends[b]++] = {a, i};
-    }
-    for (std::size_t v = 0; v < vertex_count; ++v) {
-      std::sort(neighbours_.begin() + static_cast<std::ptrdiff_t>(begins_[v]),
-                neighbours_.begin() + static_cast<std::ptrdiff_t>(begins_[v + 1]));
-    }
-    taken_.assign(edges.size(), 0);
-  }
-
-  std::size_t degree(std::size_t vertex) const { return begins_[vertex + 1] - begins_[vertex]; }
-
-  /// Appends the chains that start at a vertex and were not taken before.
-  /// @param is_end  per vertex: chains end there
-  void take_chains(Index start, const std::vector<char>& is_end, std::vector<Chain>& chains) {
-    for (Offset i = begins_[start]; i < begins_[start + 1]; ++i) {
-      if (!taken_[neighbours_[i].edge]) chains.push_back(take_chain(start, neighbours_[i], is_end));
-    }
-  }
-
- private:
-  struct Neighbour {
-    Index vertex;
-    std::size_t edge;
-    auto operator<=>(const Neighbour&) const = default;
-  };
-
-  Chain take_chain(Index start, Neighbour step, const std::vector<char>& is_end) {
-    Chain chain{{start}, false};
-    taken_[step.edge] = 1;
-    while (step.vertex != start) {
-      const Index at = step.vertex;
-      chain.vertices.push_back(at);
-      if (is_end[at]) return chain;
-      const Neighbour& first = neighbours_[begins_[at]];  // one of two
-      step = taken_[first.edge] ? neighbours_[begins_[at] + 1] : first;
-      taken_[step.edge] = 1;
-    }
-    chain.closed = true;
-    return chain;
-  }
-
-  std::vector<Offset> begins_;
-  std::vector<Neighbour> neighbours_;
-  std::vector<char> taken_;
-};
+// ---- chains -------------------------------------------------------------------------------------
 
 void mark(const Edges& edges, std::vector<char>& flags) {
   for (const auto& [a, b] : edges) flags[a] = flags[b] = 1;
@@ -266,14 +156,16 @@ std::vector<Target> space_evenly(Points points, const Chain& chain) {
   const std::vector<Vec3> places =
       line.length() > 0.0 ? even_places(line, stretches) : line.points();
   std::vector<Target> result;
-  for (std::size_t i = 1; i < stretches; ++i) result.push_back({chain.vertices[i], places[i]});
+  for (std::size_t i = 0; i < chain.vertices.size(); ++i) {
+    result.push_back({chain.vertices[i], places[i]});
+  }
   return result;
 }
 
-std::vector<Chain> chains_of(const Mesh& mesh, const Topology& topology, std::span<const char> mask,
-                             const TopologyOptions& options) {
+std::vector<Chain> chains_of(const Mesh& mesh, const Topology& topology,
+                             std::span<const char> mask) {
   assert(mask.size() == mesh.point_count());
-  Edges edges = curve_edges(mesh, topology, mask, options);
+  Edges edges = curve_edges(topology, mask);
   std::vector<char> on_curve(mesh.point_count(), 0);
   mark(edges, on_curve);
   const Edges plain = plain_edges(mesh.cells(), mask, on_curve);
@@ -281,21 +173,19 @@ std::vector<Chain> chains_of(const Mesh& mesh, const Topology& topology, std::sp
   mark(plain, off_curve);
   edges.insert(edges.end(), plain.begin(), plain.end());
 
-  Network network(edges, mesh.point_count());
-  std::vector<char> is_end(mesh.point_count(), 0);
-  for (std::size_t v = 0; v < is_end.size(); ++v) {
-    const bool branches = network.degree(v) > 2;
-    if (branches && !on_curve[v] && !topology.corners[v]) {
-      fail_at_branch(static_cast<Index>(v), network.degree(v));
-    }
-    is_end[v] = topology.corners[v] || network.degree(v) != 2 || (on_curve[v] && off_curve[v]);
+  const EdgeNet net(mesh.point_count(), edges);
+  std::vector<char> ends(mesh.point_count(), 0);
+  for (Index v = 0; v < ends.size(); ++v) {
+    const bool branches = net.degree(v) > 2;
+    if (branches && !on_curve[v] && !topology.corners[v]) fail_at_branch(v, net.degree(v));
+    ends[v] = topology.corners[v] || (on_curve[v] && off_curve[v]);
   }
-  std::vector<Chain> chains;
-  for (Index v = 0; v < is_end.size(); ++v) {
-    if (is_end[v]) network.take_chains(v, is_end, chains);
+  std::vector<Chain> chains = cut_into_chains(net, ends);
+  for (Chain& chain : chains) {
+    if (chain.closed || chain.vertices.front() != chain.vertices.back()) continue;
+    chain.vertices.pop_back();
+    chain.closed = true;
   }
-  // What is left has no ends.
-  for (Index v = 0; v < is_end.size(); ++v) network.take_chains(v, is_end, chains);
   std::stable_sort(chains.begin(), chains.end(), [](const Chain& a, const Chain& b) {
     return a.vertices.front() < b.vertices.front();
   });

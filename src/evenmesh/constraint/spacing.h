@@ -5,18 +5,12 @@
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/constraint/chains.h"
 #include "evenmesh/constraint/prescribe.h"
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/topology.h"
 
 namespace evenmesh {
-
-/// Vertices along a path of edges. Its first and last vertex stay; a closed one leads from the last
-/// vertex back to the first, which stays alone.
-struct Chain {
-  std::vector<Index> vertices;  // at least 2, closed: at least 3; each once
-  bool closed = false;
-};
 
 /// Places on the chain's own polyline at which neighbours are equally far apart, measured straight
 /// from one to the next.
@@ -26,25 +20,23 @@ struct Chain {
 /// spans, until distances agree to 1e-12 of their mean (1e-15 more per edge). On a line both are
 /// the same. Where the polyline turns back on itself within a few edges there may be no such
 /// places: the most even ones seen are returned. A chain without length stays as it is.
-/// @return  one target per vertex of the chain that does not stay, in the order of the chain
+/// @return  one target per vertex of the chain, in its order; those of its ends (closed: of its
+///          first vertex) are where these are, so that they stay there
 std::vector<Target> space_evenly(Points points, const Chain& chain);
 
 /// Splits the edges between selected vertices into chains.
 ///
-/// Edges of curves come first: boundary edges, edges between groups, non-manifold ones, and those
-/// between feature vertices along which the surface bends by more than the angle (in a volume mesh,
-/// all of these on its skin).
-/// Other edges count if one of their ends is on no selected curve edge; they must make simple
-/// paths. Chains end at corners, where the selection ends, and wherever other than two edges meet;
-/// a closed one without such a place stays at its lowest vertex. Vertices with no selected
+/// The curves' edges come first: boundary, feature, non-manifold and interface edges (see
+/// Topology). Other edges count if one of their ends is on no selected curve edge; they must make
+/// simple paths. Chains end at corners, where the selection ends, and wherever other than two edges
+/// meet; a closed one without such a place stays at its lowest vertex. Vertices with no selected
 /// neighbour make no chain.
-/// @param mask     per vertex: selected
-/// @param options  those that the topology was found with
+/// @param mask  per vertex: selected
 /// @return  by lowest end (closed: lowest vertex)
 /// @throws InvalidOption  more than two edges that are not on curves meet in a vertex that is no
 ///                        corner and on no curve: the selection is an area, not a path
 /// @pre  topology is that of the mesh; mask has one entry per vertex
-std::vector<Chain> chains_of(const Mesh& mesh, const Topology& topology, std::span<const char> mask,
-                             const TopologyOptions& options = {});
+std::vector<Chain> chains_of(const Mesh& mesh, const Topology& topology,
+                             std::span<const char> mask);
 
 }  // namespace evenmesh

@@ -7,6 +7,7 @@
 
 #include "evenmesh/base/error.h"
 #include "evenmesh/cost/edges.h"
+#include "evenmesh/mesh/cell_edges.h"
 #include "evenmesh/mesh/measure.h"
 
 namespace evenmesh {
@@ -43,17 +44,10 @@ void Global::add_springs(const CellBlock& cells, Points /*x*/, std::vector<Sprin
 double mean_edge_length(const Mesh& mesh) {
   double sum = 0.0;
   std::size_t count = 0;
-  const Cells& cells = mesh.cells();
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const auto cell = cells.vertices(c);
-    const int n = static_cast<int>(cell.size());
-    const int edges = edge_count(cells.kind(c), n);
-    for (int j = 0; j < edges; ++j) {
-      const auto [a, b] = edge(cells.kind(c), n, j);
-      sum += (mesh.points()[cell[b]] - mesh.points()[cell[a]]).norm();
-    }
-    count += static_cast<std::size_t>(edges);
-  }
+  for_each_cell_edge(mesh.cells(), [&](Index a, Index b) {
+    sum += (mesh.points()[b] - mesh.points()[a]).norm();
+    ++count;
+  });
   return count == 0 ? 0.0 : sum / static_cast<double>(count);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "evenmesh/mesh/cell_edges.h"
 #include "evenmesh/mesh/extent.h"
 
 namespace evenmesh {
@@ -22,21 +23,13 @@ double oriented_size(const Mesh& mesh, const Orientation& orientation, std::size
 std::vector<double> local_edge_lengths(const Mesh& mesh) {
   std::vector<double> lengths(mesh.point_count(), 0.0);
   std::vector<std::uint32_t> count(mesh.point_count(), 0);
-  const Cells& cells = mesh.cells();
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const auto cell = cells.vertices(c);
-    const int n = static_cast<int>(cell.size());
-    for (int j = 0; j < edge_count(cells.kind(c), n); ++j) {
-      const LocalEdge e = edge(cells.kind(c), n, j);
-      const Index a = cell[static_cast<std::size_t>(e.a)];
-      const Index b = cell[static_cast<std::size_t>(e.b)];
-      const double length = (mesh.points()[a] - mesh.points()[b]).norm();
-      for (const Index end : {a, b}) {
-        lengths[end] += length;
-        ++count[end];
-      }
+  for_each_cell_edge(mesh.cells(), [&](Index a, Index b) {
+    const double length = (mesh.points()[a] - mesh.points()[b]).norm();
+    for (const Index end : {a, b}) {
+      lengths[end] += length;
+      ++count[end];
     }
-  }
+  });
   for (std::size_t v = 0; v < lengths.size(); ++v) {
     if (count[v] > 0) lengths[v] /= count[v];
   }

@@ -15,6 +15,7 @@
 #include "evenmesh/constraint/phrases.h"
 #include "evenmesh/constraint/prescribe.h"
 #include "evenmesh/constraint/spacing.h"
+#include "evenmesh/constraint/triangulation.h"
 #include "evenmesh/geometry/bvh.h"
 #include "evenmesh/geometry/surface_track.h"
 #include "evenmesh/problem/figures.h"
@@ -32,11 +33,12 @@ std::string typed(std::string_view option, std::string_view value) {
 class OtherSurface {
  public:
   explicit OtherSurface(const Mesh& mesh)
-      : triangles_(triangles_of(mesh)),
-        tree_(mesh.points(), triangles_),
-        track_(std::vector<Vec3>(mesh.points().begin(), mesh.points().end()), triangles_) {}
+      : faces_(mesh.points(), mesh.cells()),
+        points_(faces_.positions(mesh.points())),
+        tree_(points_, faces_.triangles()),
+        track_(points_, {faces_.triangles().begin(), faces_.triangles().end()}) {}
 
-  bool empty() const { return triangles_.empty(); }
+  bool empty() const { return faces_.triangles().empty(); }
   const SurfaceTrack& track() const { return track_; }
   TrackPoint nearest(const Vec3& p) const {
     const Bvh::Hit hit = tree_.closest(p);
@@ -44,18 +46,8 @@ class OtherSurface {
   }
 
  private:
-  static std::vector<VertexTriple> triangles_of(const Mesh& mesh) {
-    std::vector<VertexTriple> triangles;
-    const Cells& cells = mesh.cells();
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      if (traits(cells.kind(c)).dimension != 2) continue;
-      const auto v = cells.vertices(c);
-      for (std::size_t i = 2; i < v.size(); ++i) triangles.push_back({v[0], v[i - 1], v[i]});
-    }
-    return triangles;
-  }
-
-  std::vector<VertexTriple> triangles_;
+  Triangulation faces_;
+  std::vector<Vec3> points_;
   Bvh tree_;
   SurfaceTrack track_;
 };
@@ -215,8 +207,7 @@ class Reader {
     const Selection selected = selection("--equal-spacing", text);
     Prescription evenly{selected.text, {}, "equal_spacing"};
     try {
-      for (const Chain& chain :
-           chains_of(in_.mesh, in_.topology, selected.vertices, in_.topology_options)) {
+      for (const Chain& chain : chains_of(in_.mesh, in_.topology, selected.vertices)) {
         const std::vector<Target> targets = space_evenly(in_.mesh.points(), chain);
         evenly.targets.insert(evenly.targets.end(), targets.begin(), targets.end());
       }
@@ -249,7 +240,8 @@ class Reader {
 
   /// A table of places, or another mesh with the same vertices.
   std::vector<Target> by_file(const std::string& file, const std::vector<char>& selected) const {
-    const bool table = file.ends_with(".csv") || file.ends_with(".txt") || file.ends_with(".tsv");
+    const std::string name = lower(file);
+    const bool table = name.ends_with(".csv") || name.ends_with(".txt") || name.ends_with(".tsv");
     if (!table) return targets_from(in_.mesh, in_.read_mesh(file), selected);
     std::vector<Target> targets;
     try {

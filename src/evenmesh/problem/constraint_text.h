@@ -39,7 +39,6 @@ struct ConstraintSetting {
   const Orientation& orientation;
   const Topology& topology;
   FileNames names = {};
-  TopologyOptions topology_options = {};               // those that the topology was found with
   std::function<std::string(Index)> vertex_name = {};  // for messages; empty: "vertex 7"
   /// Reads the other files that constraints name; throw what cannot be read.
   std::function<Mesh(const std::string& path)> read_mesh = {};

@@ -60,7 +60,7 @@ struct MoveLimit {
   Length distance = {};  // of_edges: times the mean length of the sides of cells around the vertex
 };
 
-/// Vertices that are brought to other places and stay there.
+/// Vertices that are brought to other places, or left where they are, and stay there.
 struct Prescription {
   std::string text = {};
   std::vector<Target> targets = {};
@@ -78,7 +78,7 @@ struct NamedBound {
 struct Constraints {
   /// Exactly these stay. Nothing: what keeps the shape (see apply()).
   std::optional<Selection> fixed = {};
-  std::vector<Selection> free = {};  // without the defaults there
+  std::vector<Selection> free = {};  // without the defaults; on a surface mesh anywhere on it
   std::vector<Slide> slides = {};
   std::vector<Symmetry> symmetries = {};
   std::vector<Periodic> periodic = {};
@@ -117,7 +117,8 @@ struct ConstraintSummary {
 /// The vertices of cells that lie in a plane, up to 1e-7 of the diagonal of the mesh's box.
 std::vector<char> vertices_in_plane(const Mesh& mesh, const Plane& plane);
 
-/// Fills in what constrains a problem: motion, validity, bounds, max_move, max_deviation, targets.
+/// Fills in what constrains a problem: motion, validity (but for `demanded`, which it keeps),
+/// bounds, max_move, max_deviation, targets. What they were before is forgotten.
 ///
 /// Where `fixed` says nothing, what the shape hangs on is kept:
 /// - planar: vertices on straight stretches of boundaries and interfaces slide along these, all
@@ -128,7 +129,8 @@ std::vector<char> vertices_in_plane(const Mesh& mesh, const Plane& plane);
 /// - surface: vertices slide on the input surface, feature and boundary vertices along their
 ///   polyline, corners are fixed; interfaces as on planar meshes.
 /// Where `fixed` names some, the others move as the slides say, on a surface mesh on the surface
-/// (edges along themselves), else freely.
+/// (edges along themselves), else freely. In a mesh without extent, all of whose vertices are in
+/// one place, nothing moves.
 ///
 /// A vertex on two figures at once moves along what they have in common where these are lines and
 /// planes, and is fixed otherwise.
@@ -137,7 +139,8 @@ std::vector<char> vertices_in_plane(const Mesh& mesh, const Plane& plane);
 /// @return  what holds, in the order of the members above, defaults first
 /// @throws InvalidOption  constraints that contradict each other (both are named, with a vertex),
 ///                        a selection without vertices, vertices that do not fit a figure, a side
-///                        of a periodic pair without image, a length out of range.
+///                        of a periodic pair without image, sides without a pair, a length that
+///                        is not positive and finite or in a unit that has no meaning for it.
 /// @pre  every mask has one entry per vertex
 std::vector<ConstraintSummary> apply(const Mesh& mesh, const Topology& topology,
                                      const Constraints& constraints, Problem& problem);

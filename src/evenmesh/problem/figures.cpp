@@ -9,27 +9,11 @@
 
 #include "evenmesh/geometry/analytic_tracks.h"
 #include "evenmesh/geometry/fit.h"
+#include "evenmesh/geometry/parity_sets.h"
+#include "evenmesh/mesh/cell_edges.h"
 
 namespace evenmesh {
 namespace {
-
-Vec3 vector_at(std::span<const double> numbers, std::size_t at) {
-  return {numbers[at], numbers[at + 1], numbers[at + 2]};
-}
-
-bool is_curve(SlideOn on) { return on == SlideOn::line || on == SlideOn::circle; }
-
-template <typename Visit>
-void for_each_edge(const Cells& cells, const Visit& visit) {
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const auto corners = cells.vertices(c);
-    const int n = static_cast<int>(corners.size());
-    for (int j = 0; j < edge_count(cells.kind(c), n); ++j) {
-      const LocalEdge e = edge(cells.kind(c), n, j);
-      visit(corners[static_cast<std::size_t>(e.a)], corners[static_cast<std::size_t>(e.b)]);
-    }
-  }
-}
 
 // Calls visit(a, b) for the edges through which vertices on such a figure hang together. Two
 // vertices of a boundary may well be joined by an edge that runs across the mesh.
@@ -44,16 +28,11 @@ void for_each_link(const Mesh& mesh, const Orientation& orientation, const Topol
   if (is_curve(on)) {
     for (const auto& [a, b] : topology.curves) own(a, b);
   } else if (orientation.type == MeshType::volume) {
-    for_each_edge(topology.skin, own);
+    for_each_cell_edge(topology.skin, own);
   }
-  for_each_edge(mesh.cells(), [&](Index a, Index b) {
+  for_each_cell_edge(mesh.cells(), [&](Index a, Index b) {
     if (!on_own[a] || !on_own[b]) visit(a, b);
   });
-}
-
-Index find_root(std::vector<Index>& parent, Index v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
 }
 
 template <typename T>
@@ -112,16 +91,12 @@ std::vector<FittedPiece> fit_figures(const Mesh& mesh, const Orientation& orient
                                      const Topology& topology, SlideOn on,
                                      std::span<const char> selected,
                                      std::span<const char> sliding) {
-  std::vector<Index> parent(mesh.point_count());
-  for (Index v = 0; v < parent.size(); ++v) parent[v] = v;
+  ParitySets sets(mesh.point_count());
   std::vector<std::pair<Index, Index>> ends;  // (sliding vertex, selected neighbour that stays)
   for_each_link(mesh, orientation, topology, on, [&](Index a, Index b) {
     if (!selected[a] || !selected[b]) return;
     if (sliding[a] && sliding[b]) {
-      // The least vertex is the root.
-      const Index root_a = find_root(parent, a);
-      const Index root_b = find_root(parent, b);
-      parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
+      sets.unite(a, b, false);
     } else if (sliding[a]) {
       ends.emplace_back(a, b);
     } else if (sliding[b]) {
@@ -129,10 +104,10 @@ std::vector<FittedPiece> fit_figures(const Mesh& mesh, const Orientation& orient
     }
   });
   std::map<Index, FittedPiece> pieces;
-  for (Index v = 0; v < parent.size(); ++v) {
-    if (sliding[v]) pieces[find_root(parent, v)].vertices.push_back(v);
+  for (Index v = 0; v < sliding.size(); ++v) {
+    if (sliding[v]) pieces[sets.find(v).root].vertices.push_back(v);
   }
-  for (const auto& [v, end] : ends) pieces[find_root(parent, v)].vertices.push_back(end);
+  for (const auto& [v, end] : ends) pieces[sets.find(v).root].vertices.push_back(end);
   std::vector<FittedPiece> result;
   for (auto& [root, piece] : pieces) {
     std::sort(piece.vertices.begin(), piece.vertices.end());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "evenmesh/mesh/extent.h"
+
 namespace evenmesh {
 namespace {
 
@@ -14,13 +16,8 @@ class Side {
  public:
   Side(Points points, std::span<const Index> vertices) : points_(points) {
     if (vertices.empty()) return;
-    Vec3 low = points[vertices[0]];
-    Vec3 high = low;
-    for (const Index v : vertices) {
-      low = low.cwiseMin(points[v]);
-      high = high.cwiseMax(points[v]);
-    }
-    (high - low).maxCoeff(&axis_);
+    const Extent extent = extent_of(points, vertices);
+    (extent.high - extent.low).maxCoeff(&axis_);
     sorted_.assign(vertices.begin(), vertices.end());
     std::sort(sorted_.begin(), sorted_.end(), [&](Index a, Index b) {
       const double x = points[a][axis_];

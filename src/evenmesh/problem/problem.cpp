@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include <Eigen/Eigenvalues>
@@ -14,6 +13,7 @@
 #include "evenmesh/cost/barycenter.h"
 #include "evenmesh/cost/global.h"
 #include "evenmesh/cost/local.h"
+#include "evenmesh/geometry/parity_sets.h"
 #include "evenmesh/mesh/measure.h"
 #include "evenmesh/problem/constraints.h"
 
@@ -86,12 +86,6 @@ Term make_term(const CostChoice& choice, const Setting& setting) {
                                     choice.name, choice.weight));
   }
   return {choice.weight, known->make(setting)};
-}
-
-// The representative of a vertex's connected piece, with the path to it halved on the way.
-Index find_root(std::vector<Index>& parent, Index v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
 }
 
 // Whether there is a place that all vertices of a piece may move to: the least-squares solution of
@@ -168,22 +162,20 @@ void check_for_collapse(const Mesh& mesh, const Problem& problem) {
   if (!all_can || problem.orientation.type == MeshType::surface) return;
   if (problem.validity.min_size > 0.0 || !problem.bounds.empty()) return;
 
-  std::vector<Index> parent(mesh.point_count());
-  std::iota(parent.begin(), parent.end(), Index{0});
+  ParitySets pieces(mesh.point_count());
   const Cells& cells = mesh.cells();
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const Index root = find_root(parent, cells.vertices(c)[0]);
-    for (const Index v : cells.vertices(c)) parent[find_root(parent, v)] = root;
+    for (const Index v : cells.vertices(c)) pieces.unite(cells.vertices(c)[0], v, false);
   }
   // By vertices rather than by cells: in their order, and each once. One that no cell uses is a
   // piece of its own, and fixed.
   std::vector<CommonPoint> common(mesh.point_count());  // per piece
   for (Index v = 0; v < mesh.point_count(); ++v) {
-    common[find_root(parent, v)].add(problem.motion, v, mesh.points()[v]);
+    common[pieces.find(v).root].add(problem.motion, v, mesh.points()[v]);
   }
   for (Index v = 0; v < mesh.point_count(); ++v) {
     if (problem.motion.freedom(v) == Motion::Freedom::fixed) continue;
-    if (!common[find_root(parent, v)].exists()) continue;
+    if (!common[pieces.find(v).root].exists()) continue;
     throw InvalidOption(fmt::format(
         "nothing keeps the piece of the mesh around vertex {} from shrinking to a point: its "
         "costs are least at size 0 and all its vertices may move to one place; fix some (--fix "

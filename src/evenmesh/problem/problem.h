@@ -36,7 +36,8 @@ struct Problem {
   std::vector<Bound> bounds;     // functions kept equal to a value or within an interval
   std::vector<double> max_move;  // per vertex, mesh length unit, may be infinite; empty: no limits
   /// How far vertices on curves and surfaces of the input, and the edges and faces between them,
-  /// may be from these; mesh length unit.
+  /// may be from these; mesh length unit. Where there are targets: from what the vertices that
+  /// were brought there make of these.
   double max_deviation = std::numeric_limits<double>::infinity();
   /// Where vertices are to be brought before the rest is optimised, by increasing vertex, each
   /// once: they were prescribed, or slide on something that they are not on yet. Motion says
