@@ -31,12 +31,13 @@ struct ConvergenceOptions {
   std::string x_title = "iteration";
   std::string y_title = "cost";
   Scale scale = Scale::logarithmic;
-  double width = 640.0;  // of the picture, pixels
-  double height = 420.0;
+  double width = 640.0;   // of the picture, pixels
+  double height = 420.0;  // a strip of counts adds to it
   std::vector<Mark> marks = {};
-  /// Iterations at which curves begin anew, because another function is minimised from there on:
-  /// thin lines.
+  /// Iterations from which on another function is minimised: curves begin anew there, and a thin
+  /// line says so (of more than forty there are none).
   std::vector<double> restarts = {};
+  std::string restarts_title = "function changes";  // in the legend
   /// Counts per iteration, drawn in a strip below with a linear axis of its own.
   std::vector<Curve> counts = {};
   std::string counts_title = {};

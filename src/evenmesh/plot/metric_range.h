@@ -21,9 +21,12 @@ struct MetricRange {
 /// below.
 MetricRange metric_range(Metric metric, std::span<const CellQuality* const> meshes);
 
-/// How good a value is within the range: 0 for its worst end, 1 for its best. NaN and values beyond
-/// an end count as the worse end that they are beyond.
+/// How good a value is within the range: 0 for its worst end, 1 for its best. NaN counts as the
+/// worst, values beyond an end as that end.
 double goodness(Metric metric, const MetricRange& range, double value);
+
+/// A value in the digits that tell cells apart: "0.836", "31.4\u00B0" (degrees), "1.25".
+std::string shown_value(Metric metric, double value);
 
 /// "smallest angle (degrees)": the name of a metric with its unit, for an axis.
 std::string axis_title(Metric metric);
