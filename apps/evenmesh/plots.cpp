@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "apps/evenmesh/plots.h"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include "evenmesh/base/error.h"
+#include "evenmesh/io/output_file.h"
 #include "evenmesh/plot/convergence.h"
 #include "evenmesh/plot/histogram.h"
 #include "evenmesh/plot/mesh_picture.h"
@@ -30,22 +27,29 @@ bool same_file(const fs::path& a, const std::string& b) {
          (a.lexically_normal() == fs::path(b).lexically_normal() || fs::equivalent(a, b, ignored));
 }
 
-void check_writable(const fs::path& path) {
-  if (::access(path.c_str(), W_OK) == 0) return;
-  throw IoError(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
-}
-
 // "plots/" is the folder plots, not one without a name in it.
 fs::path folder_path(const std::string& folder) {
   const fs::path path = fs::path(folder).lexically_normal();
   return path.has_filename() ? path : path.parent_path();
 }
 
+// Complete or not at all.
 void write(const fs::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
+  OutputFile file(path);
+  file.append(text);
   file.close();
-  if (!file) throw IoError(path.string() + ": cannot be written");
+  file.commit();
+}
+
+// True if it was not there before.
+bool make_folder(const fs::path& path) {
+  std::error_code error;
+  const bool made = fs::create_directory(path, error);
+  if (error) {
+    throw IoError(
+        fmt::format("--plot {}: cannot be made a folder: {}", path.string(), error.message()));
+  }
+  return made;
 }
 
 }  // namespace
@@ -53,40 +57,24 @@ void write(const fs::path& path, const std::string& text) {
 void check_plot_folder(const std::string& folder, const std::string& input,
                        const std::string& output, const std::string& json) {
   if (folder.empty()) return;
-  std::error_code ignored;
   const fs::path path = folder_path(folder);
-  if (!fs::exists(path, ignored)) {
-    const fs::path around = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    if (!fs::is_directory(around, ignored)) {
-      throw IoError(fmt::format("--plot {}: cannot be made; {} is not a folder that is there",
-                                folder, around.string()));
-    }
-    check_writable(around);
-    return;
-  }
-  if (!fs::is_directory(path, ignored)) {
-    throw IoError(fmt::format("--plot {}: is a file; give the name of a folder", folder));
-  }
-  check_writable(path);
   for (const char* name : {kConvergence, kQuality, kMesh}) {
-    const fs::path picture = path / name;
     for (const std::string& other : {input, output, json}) {
-      if (!same_file(picture, other)) continue;
+      if (!same_file(path / name, other)) continue;
       throw InvalidOption(
           fmt::format("--plot {} would overwrite {}; choose another folder", folder, other));
     }
-    if (fs::is_directory(picture, ignored)) {
-      throw IoError(picture.string() + ": cannot be written; it is a folder");
-    }
-    if (fs::exists(picture, ignored)) check_writable(picture);
   }
+  if (make_folder(path)) {
+    fs::remove(path);
+    return;
+  }
+  for (const char* name : {kConvergence, kQuality, kMesh}) const OutputFile probe{path / name};
 }
 
 void write_plots(const std::string& folder, const Plotted& plotted) {
   const fs::path path = folder_path(folder);
-  std::error_code error;
-  fs::create_directory(path, error);
-  if (error) throw IoError(fmt::format("{}: cannot be made: {}", folder, error.message()));
+  make_folder(path);
 
   Workers workers(plotted.threads);
   const Mesh& mesh = plotted.before;
