@@ -33,7 +33,8 @@ TEST(Axis, HasTicksAtRoundValues) {
 TEST(Axis, PlacesTicksWhereTheirValuesAre) {
   const Axis axis = Axis::linear(-2, 6, 4);
   ASSERT_EQ(labels(axis), (Labels{"\u22122", "0", "2", "4", "6"}));
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_DOUBLE_EQ(axis.ticks()[i].place, 0.25 * static_cast<double>(i));
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_DOUBLE_EQ(axis.ticks()[i].place, 0.25 * static_cast<double>(i));
   EXPECT_DOUBLE_EQ(axis.place(0.0), 0.25);
 }
 
