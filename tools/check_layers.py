@@ -24,6 +24,7 @@ MAY_INCLUDE = {
     "solver": "base geometry mesh quality cost constraint problem",
     "classic": "base geometry mesh constraint",
     "report": "base mesh quality problem solver",
+    "plot": "base geometry mesh quality problem solver",
 }
 
 INCLUDE = re.compile(r'\s*#\s*include\s+(["<])([^">]+)[">]')

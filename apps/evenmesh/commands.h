@@ -28,6 +28,7 @@ struct SmoothArguments {
   bool allow_worse = false;
   bool keep_partial = false;
   std::string json;    // empty: none; "-": stdout
+  std::string plot;    // a folder for pictures; empty: none
   std::string config;  // a TOML file; empty: none
   bool dry_run = false;
   std::string command;  // the whole command line

@@ -81,6 +81,8 @@ void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
                "let quality get worse where the cost asks for it; cells still never turn over");
   app.add_flag("--keep-partial", smooth.keep_partial, "on Ctrl-C write the best mesh so far");
   app.add_option("--json", smooth.json, "write a report in JSON to this file (-: to stdout)");
+  app.add_option("--plot", smooth.plot,
+                 "write pictures (SVG) of convergence, quality and the mesh into this folder");
   app.add_option("--config", smooth.config,
                  "options from a TOML file; those given here win over it");
   app.add_flag("--dry-run", smooth.dry_run,

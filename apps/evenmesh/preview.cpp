@@ -36,7 +36,8 @@ std::vector<std::pair<std::string, std::string>> chosen_options(const SmoothArgu
                                                                 const Problem& problem) {
   std::vector<std::pair<std::string, std::string>> result;
   for (const auto& [key, value] : arguments.effective) {
-    if (key == "quiet" || key == "verbose" || key == "json" || key == "cost") continue;
+    if (key == "quiet" || key == "verbose" || key == "json" || key == "plot" || key == "cost")
+      continue;
     result.emplace_back(key, value);
   }
   if (!problem.terms.empty()) result.emplace_back("cost", '"' + cost_text(problem) + '"');

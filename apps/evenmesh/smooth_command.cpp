@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "apps/evenmesh/holders.h"
 #include "apps/evenmesh/outcome.h"
 #include "apps/evenmesh/paths.h"
+#include "apps/evenmesh/plots.h"
 #include "apps/evenmesh/preview.h"
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/text.h"
@@ -99,6 +101,7 @@ class Run {
       }
       solve();
       finish();
+      plot();
     } catch (const std::exception& error) {
       record_.status = "failed";
       record_.message = error.what();
@@ -131,6 +134,7 @@ class Run {
     // Whether it can be written is found out before the work, not after it. Leaves nothing behind.
     if (!arguments_.dry_run) {
       const OutputFile probe{output_};
+      check_plot_folder(arguments_.plot, arguments_.input.path, output_, arguments_.json);
     }
     describe(input_, record_);
     constrain();
@@ -292,6 +296,18 @@ class Run {
     const std::string breach = guard.find_breach(
         workers, written.points(), judge_quality ? Judge::quality_and_inversion : Judge::inversion);
     if (!breach.empty()) throw Refused("in the file as read back, " + breach);
+  }
+
+  // A result that was not written is not shown.
+  void plot() const {
+    if (arguments_.plot.empty()) return;
+    write_plots(arguments_.plot, {.title = std::filesystem::path(record_.input).filename().string(),
+                                  .before = input_.file.mesh,
+                                  .after = record_.output.empty() ? nullptr : &result_,
+                                  .orientation = input_.orientation,
+                                  .report = record_.report,
+                                  .threads = arguments_.threads});
+    console_.say("wrote pictures into " + arguments_.plot);
   }
 
   void print_history() const {
