@@ -117,6 +117,9 @@ class Guard::Retreat {
         marked_(points.size(), 0) {
     round(points_);
     quality_ = measure_cells(workers_, guard_.input_, points_, guard_.orientation_);
+    inverted_unguarded_ =
+        static_cast<std::size_t>(std::count_if(quality_.inverted.begin(), quality_.inverted.end(),
+                                               [](auto inverted) { return inverted != 0; }));
   }
 
   void run() {
@@ -142,6 +145,7 @@ class Guard::Retreat {
     return static_cast<std::size_t>(
         std::count_if(stage_.begin(), stage_.end(), [](int stage) { return stage > 0; }));
   }
+  std::size_t inverted_unguarded() const { return inverted_unguarded_; }
   bool mean_fell() const { return mean_fell_; }
   double deviation() const { return deviation_; }
   QualitySummary summary() const { return summarize(workers_, quality_); }
@@ -276,6 +280,7 @@ class Guard::Retreat {
   std::vector<std::uint8_t> stage_;  // per vertex: how far back it went, index into kLeft
   std::vector<char> marked_;         // per vertex: to go back one more stage
   CellQuality quality_;
+  std::size_t inverted_unguarded_ = 0;
   bool mean_fell_ = false;
   double deviation_ = 0.0;
 };
@@ -291,6 +296,7 @@ Guard::Result Guard::enforce(Workers& workers, std::vector<Vec3>& points, Judge 
   Result result;
   result.mean_fell = retreat.mean_fell();
   result.pulled_back = retreat.pulled_back();
+  result.inverted_unguarded = retreat.inverted_unguarded();
   result.deviation = retreat.deviation();
   result.after = retreat.summary();
   const bool moved = !std::equal(points.begin(), points.end(), input_.points().begin());

@@ -49,7 +49,8 @@ class Guard {
     Promise promise = Promise::kept;
     bool mean_fell = false;  // vertices went back because the mean of shape was lower than before
     std::size_t pulled_back = 0;
-    double deviation = 0.0;  // of the shape, if a limit is set
+    std::size_t inverted_unguarded = 0;  // cells, before anything was pulled back
+    double deviation = 0.0;              // of the shape, if a limit is set
     QualitySummary after;
   };
 
