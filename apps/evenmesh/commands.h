@@ -20,6 +20,7 @@ struct SmoothArguments {
   bool scale_free = false;
   double global_length = 0.0;
   ConstraintText constraints;
+  std::string method = "lagrange_newton";
   std::string solver = "auto";
   int iterations = 200;
   double tolerance = 1e-6;

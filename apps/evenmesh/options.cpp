@@ -71,6 +71,11 @@ void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
   app.add_option("--global-length", smooth.global_length,
                  "edge length that the cost global pulls to (default: the mean of the input)");
   add_constraints(app, smooth.constraints);
+  app.add_option("--method", smooth.method,
+                 "lagrange_newton, which minimises the cost, or a classic smoother: laplacian, "
+                 "smart_laplacian, combined, global_laplacian, lennard_jones, "
+                 "lennard_jones_printed, pliant, angle_based, optimal_delaunay")
+      ->capture_default_str();
   app.add_option("--solver", smooth.solver, "auto, multigrid or newton")->capture_default_str();
   app.add_option("--iterations", smooth.iterations, "stop after so many")->capture_default_str();
   app.add_option("--tolerance", smooth.tolerance,

@@ -26,6 +26,14 @@ const Active* first_unmet(const std::vector<Active>& demands) {
   return found == demands.end() ? nullptr : &*found;
 }
 
+// How far from its end it was.
+std::string where_it_stopped(const Report& report) {
+  const double gradient = report.history.back().gradient;
+  return report.method == Method::lagrange_newton
+             ? fmt::format("gradient at {:.1e} of its start", gradient)
+             : fmt::format("vertices still moving by up to {:.1e} of their edges", gradient);
+}
+
 // The solver's part of the outcome.
 std::string how_it_stopped(const Report& report) {
   const Iteration& last = report.history.back();
@@ -42,11 +50,9 @@ std::string how_it_stopped(const Report& report) {
     case Stop::no_descent:
       return "as low as double precision resolves after " + count;
     case Stop::iteration_limit:
-      return fmt::format("stopped at the limit of {}, gradient at {:.1e} of its start", count,
-                         last.gradient);
+      return fmt::format("stopped at the limit of {}, {}", count, where_it_stopped(report));
     case Stop::time_limit:
-      return fmt::format("stopped at the time limit after {}, gradient at {:.1e} of its start",
-                         count, last.gradient);
+      return fmt::format("stopped at the time limit after {}, {}", count, where_it_stopped(report));
     case Stop::interrupted:
       return "interrupted after " + count;
     case Stop::nothing_to_move:
@@ -118,8 +124,11 @@ std::string outcome(const Ending& ending) {
         arguments.constraints.fix, arguments.input.path);
   }
   if (report.promise == Promise::unimproved) {
-    return "no vertex can follow the cost without making the worst cell or the mean shape worse; "
-           "try other costs (--cost), fewer fixed vertices (--fix), or --allow-worse";
+    const bool costs = report.method == Method::lagrange_newton;
+    return fmt::format(
+        "no vertex can follow the {} without making the worst cell or the mean shape worse; try "
+        "other {}, fewer fixed vertices (--fix), or --allow-worse",
+        costs ? "cost" : "method", costs ? "costs (--cost)" : "methods (--method)");
   }
   std::string text = how_it_stopped(report);
   if (report.held > 0) {

@@ -87,7 +87,13 @@ class Run {
     options_.time_limit_seconds = arguments.time_limit;
     options_.threads = arguments.threads;
     options_.solver = solver_kind(arguments.solver);
-    options_.allow_worse = arguments.allow_worse;
+    options_.method = method_of(arguments.method);
+    if (is_classic() && options_.solver != SolverKind::automatic) {
+      throw InvalidOption(fmt::format(
+          "--solver {} is how lagrange_newton finds the minimum; --method {} has no use for it",
+          arguments.solver, arguments.method));
+    }
+    if (arguments.allow_worse) options_.judge = Judge::inversion;
     check_report_path(arguments.json, arguments.input.path, output_);
   }
 
@@ -121,6 +127,8 @@ class Run {
   }
 
  private:
+  bool is_classic() const { return options_.method != Method::lagrange_newton; }
+
   void prepare() {
     check(options_);
     check(arguments_.constraints);
@@ -147,6 +155,10 @@ class Run {
                              freedoms(problem_.motion, input_.orientation.type)));
     for (const ConstraintSummary& line : record_.constraints) console_.detail(in_one_line(line));
     note_deviation();
+    if (is_classic() && !arguments_.costs.empty()) {
+      console_.say(fmt::format("--method {} does not minimise --cost; the report says what it is",
+                               arguments_.method));
+    }
     for (const auto& [key, value] : chosen_options(arguments_, problem_)) {
       record_.options.emplace_back(key, plain(value));
     }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "evenmesh/classic/method.h"
 #include "evenmesh/io/mesh_file.h"
 #include "tests/cli/meshes.h"
 #include "tests/cli/process.h"
@@ -41,6 +42,30 @@ TEST_F(Files, OfTheDataFolderKeepThePromise) {
     ASSERT_EQ(outcome.exit_code, 0) << name << outcome.err;
     testing::expect_promise(kData / name, target);
   }
+}
+
+TEST_F(Files, OfEveryMethodKeepThePromise) {
+  for (const std::string_view method : method_names()) {
+    const std::string word(method);
+    const Outcome outcome = run({(kData / "hele_shaw.obj").string(), "-o", out(), "-q", "--method",
+                                 word, "--iterations", "10", "--json", at("report.json")});
+    ASSERT_EQ(outcome.exit_code, 0) << method << outcome.err;
+    testing::expect_promise(kData / "hele_shaw.obj", out());
+    const json report = json::parse(bytes("report.json"));
+    EXPECT_EQ(report["method"], word);
+    EXPECT_EQ(report["options"]["method"], word);
+    EXPECT_EQ(report["inverted_after"], 0) << method;
+  }
+}
+
+TEST_F(Files, SayThatAClassicMethodDoesNotMinimiseTheCost) {
+  const Outcome outcome = run({(kData / "hele_shaw.obj").string(), "-o", out(), "--method",
+                               "laplacian", "--cost", "global", "--iterations", "3"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("--method laplacian does not minimise --cost"), std::string::npos);
+  EXPECT_NE(outcome.err.find("stopped at the limit of 3 iterations, vertices still moving by"),
+            std::string::npos)
+      << outcome.err;
 }
 
 TEST_F(Files, SoccerballImproves) {

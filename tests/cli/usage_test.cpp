@@ -54,6 +54,24 @@ TEST_F(Usage, UnknownOptionsAreNamed) {
   expect_failure(kUsage, {"--bogus"}, "Try: evenmesh --help");
 }
 
+TEST_F(Usage, UnknownMethodsGetASuggestion) {
+  expect_bad_option("--method", "laplacain", "did you mean 'laplacian'?");
+  expect_bad_option("--method", "newton", "known are lagrange_newton, laplacian,");
+}
+
+TEST_F(Usage, ClassicMethodsRefuseWhatTheyCannotDo) {
+  const std::vector<std::string> laplacian = {"in.obj", "-o", "out.obj", "--method", "laplacian"};
+  const auto with = [&](const std::string& option, const std::string& value) {
+    std::vector<std::string> arguments = laplacian;
+    arguments.insert(arguments.end(), {option, value});
+    return arguments;
+  };
+  expect_failure(kUsage, with("--solver", "newton"), "--method laplacian has no use for it");
+  expect_failure(kUsage, with("--min-jacobian", "0.1"),
+                 "the method laplacian cannot keep cells above a least size or Jacobian");
+  expect_failure(kUsage, with("--keep", "area"), "the method laplacian cannot keep");
+}
+
 TEST_F(Usage, MisspeltVerbsAreTakenAsSuch) {
   expect_failure(kUsage, {"chekc", "in.obj"}, "'chekc' is neither a file nor a command");
   expect_failure(kUsage, {"chekc"}, "the commands are check, info and demo");

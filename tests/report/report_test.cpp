@@ -92,6 +92,24 @@ TEST(RunReport, OfASuccessMatchesTheSchemaAndTheRun) {
   EXPECT_EQ(report["quality"]["after"]["max_angle"]["max"], angle.worst);
 }
 
+TEST(RunReport, NamesTheMethod) {
+  const Mesh mesh = shapes::triangle_grid(6, 1.0, 0.3);
+  json report = checked(record_of(mesh));
+  EXPECT_EQ(report["method"], "lagrange_newton");
+  EXPECT_EQ(report["inverted_unguarded"], 0);
+  report = checked(record_of(mesh, {.method = Method::lennard_jones, .max_iterations = 20}));
+  EXPECT_EQ(report["method"], "lennard_jones");
+  EXPECT_TRUE(report["solver"].is_null());
+  EXPECT_GT(report["inverted_unguarded"], 0);
+  EXPECT_EQ(report["inverted_after"], 0);
+}
+
+TEST(RunReport, EveryMethodIsInTheSchema) {
+  json known = schema()["properties"]["method"]["enum"];
+  known.erase(known.size() - 1);  // null
+  EXPECT_EQ(known, json(method_names()));
+}
+
 TEST(RunReport, NamesInvertedCellsWithWhatHoldsThem) {
   RunRecord record = record_of(shapes::triangle_grid(3));
   record.still_inverted = {{"face 7 (line 9)", {"vertex 3 is fixed"}}, {"face 8 (line 10)"}};

@@ -156,12 +156,8 @@ Problem make_problem(const Mesh& mesh, Orientation orientation, std::span<const 
   return problem;
 }
 
-void check_for_collapse(const Mesh& mesh, const Problem& problem) {
-  const bool all_can = std::all_of(problem.terms.begin(), problem.terms.end(),
-                                   [](const Term& term) { return term.cost->can_collapse(); });
-  if (!all_can || problem.orientation.type == MeshType::surface) return;
-  if (problem.validity.min_size > 0.0 || !problem.bounds.empty()) return;
-
+std::optional<Index> find_loose_vertex(const Mesh& mesh, const Problem& problem) {
+  if (problem.orientation.type == MeshType::surface) return {};
   ParitySets pieces(mesh.point_count());
   const Cells& cells = mesh.cells();
   for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -175,13 +171,22 @@ void check_for_collapse(const Mesh& mesh, const Problem& problem) {
   }
   for (Index v = 0; v < mesh.point_count(); ++v) {
     if (problem.motion.freedom(v) == Motion::Freedom::fixed) continue;
-    if (!common[pieces.find(v).root].exists()) continue;
+    if (common[pieces.find(v).root].exists()) return v;
+  }
+  return {};
+}
+
+void check_for_collapse(const Mesh& mesh, const Problem& problem) {
+  const bool all_can = std::all_of(problem.terms.begin(), problem.terms.end(),
+                                   [](const Term& term) { return term.cost->can_collapse(); });
+  if (!all_can || problem.validity.min_size > 0.0 || !problem.bounds.empty()) return;
+  if (const std::optional<Index> v = find_loose_vertex(mesh, problem)) {
     throw InvalidOption(fmt::format(
         "nothing keeps the piece of the mesh around vertex {} from shrinking to a point: its "
         "costs are least at size 0 and all its vertices may move to one place; fix some (--fix "
         "boundary), "
         "add the cost global, or make the costs scale-free (--scale-free)",
-        v));
+        *v));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -78,10 +79,14 @@ Problem make_problem(const Mesh& mesh, Orientation orientation, std::span<const 
 /// The names make_problem() knows.
 std::vector<std::string> cost_names();
 
+/// A vertex of a piece of the mesh whose vertices may all move to a single place: fewer than two
+/// are fixed, and no lines or planes hold the others apart. Nothing if there is none, or the mesh
+/// is a surface, which tangent planes hold.
+std::optional<Index> find_loose_vertex(const Mesh& mesh, const Problem& problem);
+
 /// Throws InvalidOption, with the remedy, if the costs are least when a piece of the mesh shrinks
-/// to a point: all of them can collapse, and the piece (not a surface, where tangent planes hold
-/// it) may move to a single place: fewer than two vertices are fixed, and no lines or
-/// planes hold the others apart.
+/// to a point: all of them can collapse, no demand keeps cells above a size, and there is a loose
+/// vertex.
 void check_for_collapse(const Mesh& mesh, const Problem& problem);
 
 }  // namespace evenmesh

@@ -101,6 +101,7 @@ std::string to_json(const RunRecord& record) {
   Json options = Json::object();
   for (const auto& [key, value] : record.options) options[key] = value;
   const bool failed = record.status == "failed";  // perhaps before there was anything to stop
+  const bool classic = report.method != Method::lagrange_newton;
   const std::size_t fixed = report.vertices - report.movable;
   const int iterations = report.history.empty() ? 0 : static_cast<int>(report.history.size()) - 1;
   const Json json = {
@@ -116,11 +117,13 @@ std::string to_json(const RunRecord& record) {
       {"constraints", list_of(record.constraints)},
       {"stop_reason", failed ? Json(nullptr) : Json(name(report.stop))},
       {"promise", failed ? Json(nullptr) : Json(name(report.promise))},
-      {"solver", failed ? Json(nullptr) : Json(name(report.solver))},
+      {"method", failed ? Json(nullptr) : Json(name(report.method))},
+      {"solver", failed || classic ? Json(nullptr) : Json(name(report.solver))},
       {"iterations", iterations},
       {"cost_before", report.cost_before},
       {"cost_after", report.cost_after},
       {"inverted_before", report.quality_before.inverted},
+      {"inverted_unguarded", report.inverted_unguarded},
       {"inverted_after", report.quality_after.inverted},
       {"quality",
        {{"before", to_json(report.quality_before)}, {"after", to_json(report.quality_after)}}},

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "evenmesh/classic/method.h"
 #include "evenmesh/quality/quality.h"
 
 namespace evenmesh {
@@ -27,6 +28,13 @@ constexpr std::string_view name(Stop stop) {
   return kNames[static_cast<int>(stop)];
 }
 
+/// What of a result is judged in comparison with the input.
+enum class Judge : std::uint8_t {
+  quality_and_inversion,
+  inversion,  // quality may get worse where the costs ask for it
+  nothing     // cells may turn over: no step is shortened and no vertex pulled back for them
+};
+
 /// Whether the result keeps the promise that nothing got worse, and what it took.
 enum class Promise : std::uint8_t {
   kept,             // the minimiser itself keeps it
@@ -34,7 +42,7 @@ enum class Promise : std::uint8_t {
   earlier_iterate,  // from a certain iterate on the mean of shape falls: that one was kept
                     // (and vertices may have been pulled back from there)
   unimproved,       // only the input itself keeps it: the mesh was left as it was
-  lifted  // Options::allow_worse: quality was not judged, inversion and fixed vertices were
+  lifted  // Options::judge says so: quality was not judged, or nothing but fixed vertices was
 };
 
 constexpr std::string_view name(Promise promise) {
@@ -60,8 +68,10 @@ struct Iteration {
   int number = 0;               // 0: the input
   double cost = 0.0;            // f and what constraints add to it, in the units of the costs
   double gradient = 0.0;        // |g| in the norm sqrt(g^T M g) of the preconditioner M, over the
-                                // same at the start; does not depend on the size of the mesh
-  double plain_gradient = 0.0;  // Euclidean |g| over the same at the start
+                                // same at the start; does not depend on the size of the mesh.
+                                // Classic methods: longest move of a vertex in this step over the
+                                // mean length of its edges in the input; 1 for the input
+  double plain_gradient = 0.0;  // Euclidean |g| over the same at the start; or as gradient
   double step = 0.0;            // step length along the search direction; 0 for the input
   double max_move = 0.0;        // longest move of a vertex in this step, mesh length unit
   std::size_t limited = 0;      // vertices whose step was shortened so that no cell turns over
@@ -103,6 +113,7 @@ struct Holding {
 struct Report {
   Stop stop = Stop::nothing_to_move;
   Promise promise = Promise::kept;
+  Method method = Method::lagrange_newton;
   std::vector<Iteration> history;  // history[0] is the input
 
   double cost_before = 0.0;
@@ -115,11 +126,14 @@ struct Report {
   std::size_t moved = 0;        // vertices whose position is not what it was, bit for bit
   std::size_t held = 0;         // vertices stopped on the way so that no cell turns over
   std::size_t pulled_back = 0;  // vertices pulled back so that nothing is worse than before
-  double max_move = 0.0;        // longest move, mesh length unit
-  double mean_move = 0.0;       // over the vertices that moved
+  /// Cells inverted where the method wanted the vertices, before any was pulled back.
+  std::size_t inverted_unguarded = 0;
+  double max_move = 0.0;   // longest move, mesh length unit
+  double mean_move = 0.0;  // over the vertices that moved
 
-  SolverKind solver = SolverKind::multigrid;  // that did it, or finished it: not automatic
-  int newton_steps = 0;                       // of the iterations
+  /// That did it, or finished it: not automatic. Without meaning for classic methods.
+  SolverKind solver = SolverKind::multigrid;
+  int newton_steps = 0;  // of the iterations
 
   double deviation = 0.0;  // of the shape from the input's, both ways, where it was measured
   std::size_t unmet = 0;   // demands on cells, moves and functions that are not met

@@ -19,6 +19,7 @@
 #include "evenmesh/solver/guard.h"
 #include "evenmesh/solver/multigrid.h"
 #include "evenmesh/solver/objective.h"
+#include "evenmesh/solver/relax.h"
 #include "evenmesh/solver/reorder.h"
 
 namespace evenmesh {
@@ -147,6 +148,7 @@ class Smoothing {
       guard_.set_limit(&*limit_);
     }
     guard_.set_motion(&problem.motion);
+    report_.method = options.method;
     report_.vertices = mesh.point_count();
     report_.movable = problem.motion.moving();
     report_.quality_before = report_.quality_after = guard_.before();
@@ -155,33 +157,72 @@ class Smoothing {
   }
 
   void run() {
-    if (report_.movable == 0 || problem_.terms.empty()) return;
+    const bool classic = options_.method != Method::lagrange_newton;
+    if (report_.movable == 0 || (problem_.terms.empty() && !classic)) return;
     timer_ = Timer();
     const double cpu_before = cpu_seconds();
     Objective objective(mesh_, problem_);
     objective.constrain(workers_, mesh_, origin_);
+    if (classic) {
+      sweep(objective, cpu_before);
+    } else {
+      minimise(objective, cpu_before);
+    }
+  }
+
+  const Report& report() const { return report_; }
+  std::vector<Vec3>& points() { return points_; }
+
+ private:
+  using Observe = std::function<bool(Points)>;
+  /// Moves the vertices from x, in place, and fills in the report's stop and history.
+  using Mover = std::function<void(std::vector<Vec3>& x, Report& report, const Observe& observe)>;
+
+  void minimise(Objective& objective, double cpu_before) {
     Multigrid preconditioner(workers_, objective.majoriser(workers_, points_),
                              objective.projectors(problem_.motion.start()));
     report_.multigrid_levels = preconditioner.levels();
-    report_.setup_seconds = timer_.seconds();
-    report_.setup_cpu_seconds = cpu_seconds() - cpu_before;
+    note_setup(cpu_before);
 
-    const double least_shape = options_.allow_worse ? 0.0 : guard_.before().of(Metric::shape).worst;
+    const double least_shape = options_.judge == Judge::quality_and_inversion
+                                   ? guard_.before().of(Metric::shape).worst
+                                   : 0.0;
     Flips flips(objective.layout(), mesh_.points(), problem_.orientation, least_shape);
     // Surfaces have soft modes, along which all vertices of a patch drift together at little gain;
     // no vertex needs to go further than to its neighbours.
     if (problem_.orientation.type == MeshType::surface) flips.set_reach(local_edge_lengths(mesh_));
+    move(objective, [&](std::vector<Vec3>& x, Report& report, const Observe& observe) {
+      descend(workers_, objective, preconditioner, flips, options_, x, report, observe);
+    });
+  }
 
+  void sweep(Objective& objective, double cpu_before) {
+    const auto relaxation = relaxation_of(options_.method, mesh_, problem_);
+    note_setup(cpu_before);
+    move(objective, [&](std::vector<Vec3>& x, Report& report, const Observe& observe) {
+      relax(workers_, *relaxation, mesh_, objective, options_, x, report, observe);
+    });
+  }
+
+  void note_setup(double cpu_before) {
+    report_.setup_seconds = timer_.seconds();
+    report_.setup_cpu_seconds = cpu_seconds() - cpu_before;
+  }
+
+  // Moves the vertices and makes what comes of it keep the promise.
+  void move(Objective& objective, const Mover& mover) {
     timer_ = Timer();
-    descend(workers_, objective, preconditioner, flips, options_, points_, report_);
+    mover(points_, report_, {});
     report_.solve_seconds = timer_.seconds();
     report_.cost_before = objective.cost(workers_, mesh_.points());
 
     timer_ = Timer();
     keep_within_moves(problem_, origin_, mesh_.points(), points_);
-    Guard::Result result = guard_.enforce(workers_, points_, judge(), options_.representable);
+    Guard::Result result =
+        guard_.enforce(workers_, points_, options_.judge, options_.representable);
+    report_.inverted_unguarded = result.inverted_unguarded;
     find_what_holds(objective);
-    if (result.mean_fell) keep_best_iterate(objective, preconditioner, flips, result);
+    if (result.mean_fell) keep_best_iterate(objective, mover, result);
     report_.promise = result.promise;
     report_.pulled_back = result.pulled_back;
     report_.deviation = result.deviation;
@@ -190,14 +231,6 @@ class Smoothing {
     restore_unmoved(mesh_.points(), points_);
     count_moves(mesh_.points(), points_, report_);
     report_.check_seconds += timer_.seconds();
-  }
-
-  const Report& report() const { return report_; }
-  std::vector<Vec3>& points() { return points_; }
-
- private:
-  Judge judge() const {
-    return options_.allow_worse ? Judge::inversion : Judge::quality_and_inversion;
   }
 
   // Multipliers: of what was eliminated, the part of the gradient that vertices cannot follow.
@@ -236,8 +269,7 @@ class Smoothing {
   // The minimiser has a lower mean of shape than the input: the cost and the measure disagree here.
   // Goes the same way again, stops where the mean is highest, and takes that if it is better than
   // what pulling back made of the minimiser.
-  void keep_best_iterate(Objective& objective, Multigrid& preconditioner, const Flips& flips,
-                         Guard::Result& result) {
+  void keep_best_iterate(Objective& objective, const Mover& mover, Guard::Result& result) {
     constexpr int kPatience = 4;  // iterates without a new best
     Report again = report_;
     again.history.clear();
@@ -251,7 +283,7 @@ class Smoothing {
     double best_mean = guard_.before().of(Metric::shape).mean;
     int best_number = 0;
     int number = 0;
-    descend(workers_, objective, preconditioner, flips, options_, x, again, [&](Points iterate) {
+    mover(x, again, [&](Points iterate) {
       const double mean = guard_.mean_shape_at(workers_, iterate);
       if (mean > best_mean) {
         best_mean = mean;
@@ -262,7 +294,8 @@ class Smoothing {
     });
     if (best_number == 0) return;
     keep_within_moves(problem_, origin_, mesh_.points(), best);
-    const Guard::Result other = guard_.enforce(workers_, best, judge(), options_.representable);
+    const Guard::Result other =
+        guard_.enforce(workers_, best, options_.judge, options_.representable);
     if (other.promise == Promise::unimproved ||
         other.after.of(Metric::shape).mean <= result.after.of(Metric::shape).mean) {
       return;
@@ -329,6 +362,7 @@ Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
   check(options);
   check_size(mesh);
   check_demands(mesh, problem);
+  check_method(options.method, mesh, problem);
   assert(problem.motion.size() == mesh.point_count());
   Workers workers(options.threads);
   const Timer ordering;

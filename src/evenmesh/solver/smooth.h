@@ -11,15 +11,23 @@
 namespace evenmesh {
 
 struct Options {
+  /// What moves the vertices. The classic methods leave the problem's costs alone (which are
+  /// reported), and of its demands they know the freedom of vertices, limits of moves and the
+  /// deviation; others are refused.
+  Method method = Method::lagrange_newton;
+  /// How lagrange_newton finds the minimiser.
   SolverKind solver = SolverKind::automatic;
   /// Stop when the gradient, in the preconditioner's norm and relative to the start, is at most
-  /// this. 1e-4 is final to the eye. In (0, 1).
+  /// this. 1e-4 is final to the eye. Classic methods: when in one sweep no vertex moves farther
+  /// than this times the mean length of its edges in the input. In (0, 1).
   double tolerance = 1e-6;
   int max_iterations = 200;         // >= 0
   double time_limit_seconds = 0.0;  // wall-clock for the iterations; 0: none
   int threads = 1;  // 0: one per core, at most 1024; the result has the same bits for any number
-  /// Lets quality get worse where the costs ask for it. Inversion and fixed vertices stay guarded.
-  bool allow_worse = false;
+  /// What must not get worse. `nothing` is for comparisons and for teaching: the bare method, whose
+  /// result may be folded (Report::quality_after counts the cells). Its demand for valid cells is
+  /// then the problem's alone: see Validity::demanded.
+  Judge judge = Judge::quality_and_inversion;
   /// What the output can hold of positions (single precision, fixed columns): what moved is rounded
   /// with this before it is judged. Must leave positions of the input as they are.
   std::function<std::vector<Vec3>(Points)> representable = {};
@@ -32,14 +40,16 @@ struct Options {
 void check(const Options& options);
 
 /// Moves the vertices of a mesh to where the problem's cost is least, by a nonlinear conjugate
-/// gradient method preconditioned with multigrid, or by Newton's method (Options::solver).
+/// gradient method preconditioned with multigrid, or by Newton's method (Options::solver); or as a
+/// classic method has it (Options::method).
 ///
 /// Afterwards, in comparison with the input:
 /// - vertices that the problem fixes have the same bits,
 /// - no cell is inverted that was not, and none that was is worse,
 /// - for every metric the worst value over the mesh is at least as good (unless cells were inverted
 ///   before: getting rid of them comes first), and the mean of `shape` is
-///   at least as high (unless options.allow_worse).
+///   at least as high (unless options.judge leaves quality out; if it is `nothing`, cells may be
+///   inverted too).
 /// With targets this is in comparison with the mesh after vertices were brought to them, which the
 /// caller may find to have cells that are inverted and were not.
 /// Where the minimiser would break this, vertices around the offending cells are pulled back
@@ -48,8 +58,9 @@ void check(const Options& options);
 ///
 /// The result does not depend on the number of threads, bit for bit. About 500 bytes per vertex.
 /// @throws InvalidOption  an option is outside its range, a bound names a vertex that is not there
-///                        or has its limits the wrong way round, or the mesh is so small or large
-///                        that squares of its lengths leave the range of doubles (1e-100, 1e100)
+///                        or has its limits the wrong way round, the method cannot do what the
+///                        problem asks, or the mesh is so small or large that squares of its
+///                        lengths leave the range of doubles (1e-100, 1e100)
 /// @pre  the problem was made for this mesh (or one with the same connectivity)
 Report smooth(Mesh& mesh, const Problem& problem, const Options& options = {});
 
