@@ -29,6 +29,9 @@ void check(const Options& options) {
     throw InvalidOption(
         fmt::format("the tolerance must lie between 0 and 1, not {}", options.tolerance));
   }
+  if (!(options.eta >= 0.0)) {
+    throw InvalidOption(fmt::format("eta must not be negative: {}", options.eta));
+  }
   if (options.max_iterations < 0) {
     throw InvalidOption(
         fmt::format("the number of iterations must not be negative: {}", options.max_iterations));
