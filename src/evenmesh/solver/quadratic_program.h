@@ -63,4 +63,8 @@ QuadraticSolution solve(const QuadraticProgram& program, const QuadraticSolution
 /// @pre  W is symmetric and positive definite
 Eigen::MatrixXd inverse_root(const Eigen::MatrixXd& curvature);
 
+/// T J_i^T, whose norm is that of row i of the Jacobian measured with W^-1.
+Eigen::VectorXd transform_row(const Eigen::MatrixXd& root, const SparseRowMatrix& jacobian,
+                              Eigen::Index row);
+
 }  // namespace evenmesh
