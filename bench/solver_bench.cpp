@@ -83,9 +83,11 @@ Run run_limited(const Mesh& original, int threads, const Limits& limits) {
   run.problem = cpu_of([&] { problem = make_limited_problem(mesh, limits); });
   const Timer timer;
   run.smooth = cpu_of([&] {
-    run.report = smooth(
-        mesh, problem,
-        {.tolerance = kSmall, .max_iterations = 500, .threads = threads, .allow_worse = true});
+    run.report = smooth(mesh, problem,
+                        {.tolerance = kSmall,
+                         .max_iterations = 500,
+                         .threads = threads,
+                         .judge = Judge::inversion});
   });
   run.wall = timer.seconds();
   return run;

@@ -47,7 +47,7 @@ int main() {
 
   const double before = excess->at(mesh.points());
   // A perfect grid can only get worse by it, which has to be allowed.
-  const Report report = smooth(mesh, problem, {.allow_worse = true});
+  const Report report = smooth(mesh, problem, {.judge = Judge::inversion});
   const double after = excess->at(mesh.points());
   std::printf("excess %.6f -> %.6f, %s\n", before, after, name(report.stop).data());
   return std::abs(after) < 1e-6 ? 0 : 1;

@@ -21,8 +21,8 @@ MAY_INCLUDE = {
     "cost": "base geometry mesh",
     "constraint": "base geometry mesh",
     "problem": "base geometry mesh cost constraint",
-    "solver": "base geometry mesh quality cost constraint problem",
-    "classic": "base geometry mesh constraint",
+    "classic": "base geometry mesh quality constraint",
+    "solver": "base geometry mesh quality cost constraint problem classic",
     "report": "base mesh quality problem solver",
 }
 

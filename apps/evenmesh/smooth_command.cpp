@@ -89,7 +89,7 @@ class Run {
     options_.time_limit_seconds = arguments.time_limit;
     options_.threads = arguments.threads;
     options_.solver = solver_kind(arguments.solver);
-    options_.allow_worse = arguments.allow_worse;
+    if (arguments.allow_worse) options_.judge = Judge::inversion;
     check_report_path(arguments.json, arguments.input.path, output_);
   }
 

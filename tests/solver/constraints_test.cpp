@@ -76,7 +76,7 @@ TEST_P(OfIpopt, MinimumIsFoundFromEveryStart) {
   if (known.rim == "slide") slide_on_unit_circle(mesh, problem);
   problem.validity.min_size = known.least_area;
   Options options;
-  options.allow_worse = true;
+  options.judge = Judge::inversion;
   options.max_iterations = 2000;
   const Report report = smooth(mesh, problem, options);
   EXPECT_EQ(report.quality_before.inverted, known.inverted);
@@ -152,7 +152,7 @@ TEST(Validity, ReportsDemandsThatAreTooGreat) {
   Problem problem = problem_of(mesh);
   problem.validity.min_size = 1.5 * mean_size(mesh, problem.orientation);
   Options options;
-  options.allow_worse = true;
+  options.judge = Judge::inversion;
   const Report report = smooth(mesh, problem, options);
   EXPECT_GT(report.unmet, 100u);
   EXPECT_EQ(report.quality_after.inverted, 0u);
@@ -256,7 +256,7 @@ TEST(MoveLimit, HasTheMultiplierThatDifferencesGive) {
     problem.max_move.assign(mesh.point_count(), std::numeric_limits<double>::infinity());
     problem.max_move[24] = limit;
     Options options;
-    options.allow_worse = true;
+    options.judge = Judge::inversion;
     options.tolerance = 1e-9;
     report = smooth(mesh, problem, options);
     return report.cost_after;
@@ -275,7 +275,7 @@ TEST(Function, IsKeptEqual) {
   const auto length = function_of("length", {60, 61}, [](auto x) { return (x[1] - x[0]).norm(); });
   problem.bounds.push_back({length, 0.15, 0.15});
   Options options;
-  options.allow_worse = true;
+  options.judge = Judge::inversion;
   const Report report = smooth(mesh, problem, options);
   EXPECT_NEAR(length->at(mesh.points()), 0.15, 1e-6);
   ASSERT_EQ(report.holding.bounds.size(), 1u);
@@ -302,7 +302,7 @@ TEST(Function, IsKeptBetweenBothSidesOfAnInterval) {
         function_of("length", {60, 61}, [](auto x) { return (x[1] - x[0]).norm(); });
     problem.bounds.push_back({length, lower, upper});
     Options options;
-    options.allow_worse = true;
+    options.judge = Judge::inversion;
     smooth(mesh, problem, options);
     EXPECT_NEAR(length->at(mesh.points()), expected, 1e-5);
     EXPECT_GE(length->at(mesh.points()), lower * (1.0 - 1e-6));
@@ -325,7 +325,7 @@ TEST(Keep, TotalAreaOfAFreeMeshStays) {
   const Orientation orientation = find_orientation(mesh);
   problem.bounds.push_back(make_keep(mesh, orientation, Keep::area, {}, 1.3));
   Options options;
-  options.allow_worse = true;
+  options.judge = Judge::inversion;
   smooth(mesh, problem, options);
   EXPECT_NEAR(problem.bounds[0].function->at(mesh.points()), 1.3, 1e-5);
 }
@@ -417,7 +417,7 @@ TEST(MoveLimit, OfTiedVerticesIsTheLeastOfBoth) {
   }
   Options options;
   options.max_iterations = 3;  // before the limits are met
-  options.allow_worse = true;
+  options.judge = Judge::inversion;
   smooth(mesh, problem, options);
   for (Index j = 1; j < n; ++j) {
     for (const Index v : {j * (n + 1), j * (n + 1) + n}) {

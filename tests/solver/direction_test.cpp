@@ -179,7 +179,7 @@ TEST_P(Misled, StillConverges) {
   problem.terms = {{1.0, std::make_shared<Uneven>(GetParam())}};
   problem.validity.demanded = false;  // what that costs is measured by the springs, too
   Options options;
-  options.allow_worse = true;
+  options.judge = Judge::inversion;
   options.max_iterations = 5000;
   const Report report = smooth(mesh, problem, options);
   EXPECT_EQ(report.stop, Stop::converged) << report.history.size();

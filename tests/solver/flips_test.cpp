@@ -72,7 +72,7 @@ TEST(Flips, NothingFoldsAtAReentrantBoundary) {
     const Mesh input = mesh;
     const Problem problem = problem_of(mesh, only(cost), "boundary");
     Options options;
-    options.allow_worse = true;  // inversion alone is what keeps it from folding
+    options.judge = Judge::inversion;  // inversion alone is what keeps it from folding
     const Report report = smooth(mesh, problem, options);
     ASSERT_EQ(report.quality_before.inverted, 0u);
     EXPECT_EQ(report.quality_after.inverted, 0u);
@@ -80,6 +80,19 @@ TEST(Flips, NothingFoldsAtAReentrantBoundary) {
     EXPECT_GT(report.moved, 100u);
     expect_nothing_turned_over(input, mesh, problem.orientation);
   }
+}
+
+TEST(Flips, NothingIsShortenedOrPulledBackWhereNothingIsJudged) {
+  Mesh mesh = bump(30);
+  Problem problem = problem_of(mesh, only("local"), "boundary");
+  problem.validity.demanded = false;
+  const Report report = smooth(mesh, problem, {.judge = Judge::nothing});
+  EXPECT_EQ(report.quality_before.inverted, 0u);
+  EXPECT_GT(report.quality_after.inverted, 0u) << "the guard was on, or this test proves nothing";
+  EXPECT_EQ(report.held, 0u);
+  EXPECT_EQ(report.pulled_back, 0u);
+  EXPECT_EQ(report.promise, Promise::lifted);
+  EXPECT_EQ(report.stop, Stop::converged);
 }
 
 // ---- Flips::find on single cells ----

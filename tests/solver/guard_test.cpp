@@ -48,6 +48,17 @@ TEST_F(Square, TheInputItselfIsNoBreach) {
   EXPECT_EQ(guard_.find_breach(workers_, mesh_.points(), kAll), "");
 }
 
+TEST_F(Square, FoldsWhereNothingIsJudged) {
+  std::vector<Vec3> points = centre_at(1.5, 0.5);
+  const std::vector<Vec3> wanted = points;
+  EXPECT_EQ(guard_.find_breach(workers_, points, Judge::nothing), "");
+  const Guard::Result result = guard_.enforce(workers_, points, Judge::nothing);
+  EXPECT_EQ(points, wanted);
+  EXPECT_EQ(result.promise, Promise::lifted);
+  EXPECT_EQ(result.pulled_back, 0u);
+  EXPECT_EQ(result.after.inverted, 1u);
+}
+
 TEST_F(Square, ABetterPlaceIsKeptToTheBit) {
   std::vector<Vec3> points = centre_at(0.5, 0.5);
   const std::vector<Vec3> wanted = points;
@@ -225,12 +236,13 @@ TEST(Smooth, LetsQualityGetWorseOnlyWhenAllowed) {
   // `global` with a length the area has no room for buckles the perfect grid.
   ProblemOptions global = only("global");
   global.global_length = 0.3;
-  for (const bool allowed : {false, true}) {
+  for (const Judge judge : {Judge::quality_and_inversion, Judge::inversion}) {
+    const bool allowed = judge == Judge::inversion;
     const Mesh squares = shapes::quad_grid(6);
     const Problem problem = problem_of(squares, global);
     Mesh mesh = testing_setup::with_points(squares, displaced(squares, problem.motion, 1e-3, 1));
     Options options;
-    options.allow_worse = allowed;
+    options.judge = judge;
     const Report report = smooth(mesh, problem, options);
     EXPECT_EQ(report.promise == Promise::lifted, allowed);
     EXPECT_EQ(

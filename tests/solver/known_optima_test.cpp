@@ -75,7 +75,7 @@ class Buckling : public testing::TestWithParam<int> {
     const Problem problem = problem_of(squares, global);
     Mesh mesh = with_points(squares, displaced(squares, problem.motion, 1e-3, 5));
     Options options;
-    options.allow_worse = true;  // a buckled grid has worse cells
+    options.judge = Judge::inversion;  // a buckled grid has worse cells
     options.tolerance = 1e-9;
     options.max_iterations = 2000;
     smooth(mesh, problem, options);

@@ -337,7 +337,7 @@ Report smooth_with(SolverKind solver, Mesh& mesh, const Problem& problem, double
   options.solver = solver;
   options.tolerance = tolerance;
   options.max_iterations = most;
-  options.allow_worse = true;
+  options.judge = Judge::inversion;
   return smooth(mesh, problem, options);
 }
 

@@ -40,7 +40,7 @@ TEST(OwnCost, BringsEveryVertexToTheMeanOfItsNeighbours) {
   problem.terms = {{2.0, std::make_shared<Compact>()}};
   Options options;
   options.tolerance = 1e-9;
-  options.allow_worse = true;
+  options.judge = Judge::inversion;
   const Report report = smooth(mesh, problem, options);
   EXPECT_EQ(report.stop, Stop::converged);
   ASSERT_EQ(report.held, 0u);

@@ -110,7 +110,7 @@ TEST(Smooth, StaysWhereItHasConverged) {
     Problem problem = problem_of(mesh, only(cost));
     Options options;
     options.tolerance = 1e-8;
-    options.allow_worse = true;  // what the guard pulls back would start off again
+    options.judge = Judge::inversion;  // what the guard pulls back would start off again
     ASSERT_EQ(smooth(mesh, problem, options).stop, Stop::converged);
     const Mesh once = mesh;
     options.tolerance = 1e-6;
@@ -160,7 +160,7 @@ TEST(Smooth, ComesToTheSameMeshInAnyOrder) {
   Mesh mesh = start;
   Options options;
   options.tolerance = 1e-11;
-  options.allow_worse = true;  // the guard decides cell by cell and may fall either way
+  options.judge = Judge::inversion;  // the guard decides cell by cell and may fall either way
   smooth(mesh, problem_of(mesh), options);
   smooth(shuffled, problem_of(shuffled), options);
   double most = 0.0;
@@ -185,7 +185,7 @@ TEST_P(Equivariance, UnderTurnsShiftsAndScaling) {
     Mesh other = change(start);
     Options options;
     options.tolerance = 1e-11;
-    options.allow_worse = true;
+    options.judge = Judge::inversion;
     smooth(mesh, problem_of(mesh, only(cost)), options);
     smooth(other, problem_of(other, only(cost)), options);
     EXPECT_LE(farthest(other.points(), change(mesh).points()), 1e-9 * scale) << cost;
@@ -342,7 +342,7 @@ TEST(Smooth, StraightensABentMesh) {
     points[v] += problem.motion.project(static_cast<Index>(v), shift * Vec3(1.0, 0.7, 0.0));
   }
   Mesh straight = mesh;
-  smooth(straight, problem, {.allow_worse = true});
+  smooth(straight, problem, {.judge = Judge::inversion});
   mesh.set_points(std::move(points));
   const Report report = smooth(mesh, problem);
   EXPECT_EQ(report.stop, Stop::converged);
@@ -391,7 +391,7 @@ TEST(Smooth, DoesNotCarryFreePiecesAway) {
     mesh = with_points(mesh, displaced(mesh, problem.motion, 0.1 / n, 2));
     const Vec3 before = middle();
     Options options;
-    options.allow_worse = true;
+    options.judge = Judge::inversion;
     smooth(mesh, problem, options);
     EXPECT_LE((middle() - before).norm(), 0.05 / n) << n;  // a twentieth of a cell
   }

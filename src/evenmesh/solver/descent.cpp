@@ -325,7 +325,7 @@ class Descent {
   // Shortens the step of vertices around cells that it would turn over, halving until none does.
   // Returns how many vertices that took, or kRejected.
   std::size_t limit(double& alpha) {
-    if (inverted_ > 0) return 0;
+    if (options_.judge == Judge::nothing || inverted_ > 0) return 0;
     std::vector<Index> shortened;
     // Stopping one vertex can make the next cell turn over, and so on through the mesh. Where that
     // does not end soon the whole step is too long.

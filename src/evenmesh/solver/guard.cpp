@@ -47,6 +47,7 @@ double Guard::least_corner_of(std::size_t cell, Points points) const {
 
 bool Guard::offends(const CellQuality& quality, std::size_t cell, Points points,
                     Judge judge) const {
+  if (judge == Judge::nothing) return false;
   if (quality.inverted[cell]) {
     if (!quality_.inverted[cell]) return true;
     if (least_corner_of(cell, points) < least_corner_of(cell, input_.points())) return true;
@@ -88,7 +89,7 @@ std::string Guard::find_breach(Workers& workers, Points points, Judge judge) con
                ? fmt::format("cell {} would be inverted or more so than before", cell)
                : fmt::format("cell {} would be worse than the worst was before", cell);
   }
-  if (limit_ != nullptr) {
+  if (limit_ != nullptr && judge != Judge::nothing) {
     const double found = limit_->measure(workers, points);
     if (found > limit_->limit()) {
       return fmt::format("the shape would be {:.3g} away from the input's", found);
@@ -131,6 +132,10 @@ class Guard::Retreat {
       if (!mark_where_shape_fell()) return;
       retreat();
     }
+  }
+
+  void measure_deviation() {
+    if (guard_.limit_ != nullptr) deviation_ = guard_.limit_->measure(workers_, points_);
   }
 
   std::size_t pulled_back() const {
@@ -278,14 +283,18 @@ class Guard::Retreat {
 Guard::Result Guard::enforce(Workers& workers, std::vector<Vec3>& points, Judge judge,
                              const Rounding& rounding) const {
   Retreat retreat(workers, *this, points, judge, rounding);
-  retreat.run();
+  if (judge == Judge::nothing) {
+    retreat.measure_deviation();
+  } else {
+    retreat.run();
+  }
   Result result;
   result.mean_fell = retreat.mean_fell();
   result.pulled_back = retreat.pulled_back();
   result.deviation = retreat.deviation();
   result.after = retreat.summary();
   const bool moved = !std::equal(points.begin(), points.end(), input_.points().begin());
-  if (judge == Judge::inversion) {
+  if (judge != Judge::quality_and_inversion) {
     result.promise = Promise::lifted;
   } else if (result.pulled_back > 0) {
     result.promise = moved ? Promise::pulled_back : Promise::unimproved;

@@ -17,9 +17,6 @@
 
 namespace evenmesh {
 
-/// Whether quality is part of what must not get worse, or inversion alone.
-enum class Judge { quality_and_inversion, inversion };
-
 /// The promise that nothing gets worse, for one input mesh:
 ///
 /// - no cell is inverted that was not in the input, and none that was has a corner further over,
@@ -63,6 +60,7 @@ class Guard {
   /// way to where they were, then three quarters, then all of it. A vertex that is all the way back
   /// has the bits of the input, and a cell all of whose vertices are back cannot offend, so this
   /// ends. With a mean that fell, vertices around which `shape` fell go back the same way.
+  /// Judge::nothing only rounds and measures.
   /// @param points  replaced by the positions that keep the promise, rounded
   Result enforce(Workers& workers, std::vector<Vec3>& points, Judge judge,
                  const Rounding& rounding = {}) const;

@@ -27,6 +27,13 @@ constexpr std::string_view name(Stop stop) {
   return kNames[static_cast<int>(stop)];
 }
 
+/// What of a result is judged in comparison with the input.
+enum class Judge : std::uint8_t {
+  quality_and_inversion,
+  inversion,  // quality may get worse where the costs ask for it
+  nothing     // cells may turn over: no step is shortened and no vertex pulled back for them
+};
+
 /// Whether the result keeps the promise that nothing got worse, and what it took.
 enum class Promise : std::uint8_t {
   kept,             // the minimiser itself keeps it
@@ -34,7 +41,7 @@ enum class Promise : std::uint8_t {
   earlier_iterate,  // from a certain iterate on the mean of shape falls: that one was kept
                     // (and vertices may have been pulled back from there)
   unimproved,       // only the input itself keeps it: the mesh was left as it was
-  lifted  // Options::allow_worse: quality was not judged, inversion and fixed vertices were
+  lifted  // Options::judge says so: quality was not judged, or nothing but fixed vertices was
 };
 
 constexpr std::string_view name(Promise promise) {

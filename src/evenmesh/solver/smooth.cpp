@@ -169,7 +169,9 @@ class Smoothing {
     report_.setup_seconds = timer_.seconds();
     report_.setup_cpu_seconds = cpu_seconds() - cpu_before;
 
-    const double least_shape = options_.allow_worse ? 0.0 : guard_.before().of(Metric::shape).worst;
+    const double least_shape = options_.judge == Judge::quality_and_inversion
+                                   ? guard_.before().of(Metric::shape).worst
+                                   : 0.0;
     Flips flips(objective.layout(), mesh_.points(), problem_.orientation, least_shape);
     // Surfaces have soft modes, along which all vertices of a patch drift together at little gain;
     // no vertex needs to go further than to its neighbours.
@@ -182,7 +184,8 @@ class Smoothing {
 
     timer_ = Timer();
     keep_within_moves(problem_, origin_, mesh_.points(), points_);
-    Guard::Result result = guard_.enforce(workers_, points_, judge(), options_.representable);
+    Guard::Result result =
+        guard_.enforce(workers_, points_, options_.judge, options_.representable);
     find_what_holds(objective);
     if (result.mean_fell) keep_best_iterate(objective, preconditioner, flips, result);
     report_.promise = result.promise;
@@ -199,10 +202,6 @@ class Smoothing {
   std::vector<Vec3>& points() { return points_; }
 
  private:
-  Judge judge() const {
-    return options_.allow_worse ? Judge::inversion : Judge::quality_and_inversion;
-  }
-
   // Multipliers: of what was eliminated, the part of the gradient that vertices cannot follow.
   void find_what_holds(Objective& objective) {
     const Lagrangian& lagrangian = *objective.lagrangian();
@@ -265,7 +264,8 @@ class Smoothing {
     });
     if (best_number == 0) return;
     keep_within_moves(problem_, origin_, mesh_.points(), best);
-    const Guard::Result other = guard_.enforce(workers_, best, judge(), options_.representable);
+    const Guard::Result other =
+        guard_.enforce(workers_, best, options_.judge, options_.representable);
     if (other.promise == Promise::unimproved ||
         other.after.of(Metric::shape).mean <= result.after.of(Metric::shape).mean) {
       return;

@@ -21,8 +21,10 @@ struct Options {
   int max_iterations = 200;         // >= 0
   double time_limit_seconds = 0.0;  // wall-clock for the iterations; 0: none
   int threads = 1;  // 0: one per core, at most 1024; the result has the same bits for any number
-  /// Lets quality get worse where the costs ask for it. Inversion and fixed vertices stay guarded.
-  bool allow_worse = false;
+  /// What must not get worse. `nothing` is for comparisons and for teaching: the bare method, whose
+  /// result may be folded (Report::quality_after counts the cells). Its demand for valid cells is
+  /// then the problem's alone: see Validity::demanded.
+  Judge judge = Judge::quality_and_inversion;
   /// What the output can hold of positions (single precision, fixed columns): what moved is rounded
   /// with this before it is judged. Must leave positions of the input as they are.
   std::function<std::vector<Vec3>(Points)> representable = {};
@@ -43,7 +45,8 @@ void check(const Options& options);
 /// - no cell is inverted that was not, and none that was is worse,
 /// - for every metric the worst value over the mesh is at least as good (unless cells were inverted
 ///   before: getting rid of them comes first), and the mean of `shape` is
-///   at least as high (unless options.allow_worse).
+///   at least as high (unless options.judge leaves quality out; if it is `nothing`, cells may be
+///   inverted too).
 /// With targets this is in comparison with the mesh after vertices were brought to them, which the
 /// caller may find to have cells that are inverted and were not.
 /// Where the minimiser would break this, vertices around the offending cells are pulled back
