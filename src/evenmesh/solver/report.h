@@ -55,13 +55,23 @@ constexpr std::string_view name(Promise promise) {
 enum class SolverKind : std::uint8_t {
   automatic,  // multigrid; and where that gets slow and Newton's equations are affordable, newton
   multigrid,  // conjugate gradients preconditioned with multigrid: any size
-  newton      // Newton's method with sparse Cholesky: for small meshes, last digits, soft costs
+  newton,     // Newton's method with sparse Cholesky: for small meshes, last digits, soft costs
+  dense       // the paper's Lagrange-Newton method with dense curvature: the reference
 };
 
 constexpr std::string_view name(SolverKind kind) {
-  constexpr std::string_view kNames[] = {"automatic", "multigrid", "newton"};
+  constexpr std::string_view kNames[] = {"automatic", "multigrid", "newton", "dense"};
   return kNames[static_cast<int>(kind)];
 }
+
+/// The stop criterion of the paper's method, Eq. (12), at x = x_old + alpha h with the multipliers
+/// lambda found at x_old.
+struct StopMeasure {
+  double model = 0.0;     // |q(alpha h)|, the change of the quadratic model of the cost
+  double active = 0.0;    // sum of |lambda_i c_i(x)| over active constraints and equations
+  double inactive = 0.0;  // sum of |min(0, c_i(x))| over the other inequalities
+  double sum() const { return model + active + inactive; }
+};
 
 /// One iterate of the solver.
 struct Iteration {
@@ -70,7 +80,8 @@ struct Iteration {
   double gradient = 0.0;        // |g| in the norm sqrt(g^T M g) of the preconditioner M, over the
                                 // same at the start; does not depend on the size of the mesh.
                                 // Classic methods: longest move of a vertex in this step over the
-                                // mean length of its edges in the input; 1 for the input
+                                // mean length of its edges in the input; 1 for the input. dense:
+                                // the root of eta over the same at the first step
   double plain_gradient = 0.0;  // Euclidean |g| over the same at the start; or as gradient
   double step = 0.0;            // step length along the search direction; 0 for the input
   double max_move = 0.0;        // longest move of a vertex in this step, mesh length unit
@@ -80,6 +91,7 @@ struct Iteration {
                                 // rises when a penalty or multiplier has changed
   int evaluations = 0;          // of cost and gradient so far
   double seconds = 0.0;         // wall-clock since the solver began
+  StopMeasure eta = {};         // dense only
 };
 
 /// A demand on a cell that is active or not met.

@@ -14,6 +14,7 @@
 #include "evenmesh/base/timer.h"
 #include "evenmesh/mesh/measure.h"
 #include "evenmesh/solver/bring.h"
+#include "evenmesh/solver/dense.h"
 #include "evenmesh/solver/descent.h"
 #include "evenmesh/solver/flips.h"
 #include "evenmesh/solver/guard.h"
@@ -29,6 +30,9 @@ void check(const Options& options) {
   if (!(options.tolerance > 0.0 && options.tolerance < 1.0)) {
     throw InvalidOption(
         fmt::format("the tolerance must lie between 0 and 1, not {}", options.tolerance));
+  }
+  if (!(options.eta >= 0.0)) {
+    throw InvalidOption(fmt::format("eta must not be negative: {}", options.eta));
   }
   if (options.max_iterations < 0) {
     throw InvalidOption(
@@ -165,6 +169,8 @@ class Smoothing {
     objective.constrain(workers_, mesh_, origin_);
     if (classic) {
       sweep(objective, cpu_before);
+    } else if (options_.solver == SolverKind::dense) {
+      minimise_densely(objective, cpu_before);
     } else {
       minimise(objective, cpu_before);
     }
@@ -193,6 +199,17 @@ class Smoothing {
     if (problem_.orientation.type == MeshType::surface) flips.set_reach(local_edge_lengths(mesh_));
     move(objective, [&](std::vector<Vec3>& x, Report& report, const Observe& observe) {
       descend(workers_, objective, preconditioner, flips, options_, x, report, observe);
+    });
+  }
+
+  // It shortens steps as a whole, so it must not for the sake of one vertex: shape and reach do not
+  // count on the way.
+  void minimise_densely(Objective& objective, double cpu_before) {
+    const Flips flips(objective.layout(), mesh_.points(), problem_.orientation);
+    const Flips* judged = options_.judge == Judge::nothing ? nullptr : &flips;
+    note_setup(cpu_before);
+    move(objective, [&](std::vector<Vec3>& x, Report& report, const Observe& observe) {
+      descend_densely(workers_, objective, judged, options_, x, report, observe);
     });
   }
 

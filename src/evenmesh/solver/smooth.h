@@ -21,6 +21,9 @@ struct Options {
   /// this. 1e-4 is final to the eye. Classic methods: when in one sweep no vertex moves farther
   /// than this times the mean length of its edges in the input. In (0, 1).
   double tolerance = 1e-6;
+  /// dense: stop when eta of the paper's Eq. (12) is below this, in the unit of the costs. 0: below
+  /// tolerance^2 times the cost at the start, which asks for about as much as tolerance does. >= 0.
+  double eta = 0.0;
   int max_iterations = 200;         // >= 0
   double time_limit_seconds = 0.0;  // wall-clock for the iterations; 0: none
   int threads = 1;  // 0: one per core, at most 1024; the result has the same bits for any number
@@ -40,8 +43,8 @@ struct Options {
 void check(const Options& options);
 
 /// Moves the vertices of a mesh to where the problem's cost is least, by a nonlinear conjugate
-/// gradient method preconditioned with multigrid, or by Newton's method (Options::solver); or as a
-/// classic method has it (Options::method).
+/// gradient method preconditioned with multigrid, by Newton's method, or by the dense method of the
+/// paper (Options::solver); or as a classic method has it (Options::method).
 ///
 /// Afterwards, in comparison with the input:
 /// - vertices that the problem fixes have the same bits,
