@@ -33,7 +33,8 @@ KnownMesh square_of_quads(std::uint64_t seed);
 /// on the right; boundary vertices first.
 Mesh teardrop();
 
-/// Fig. 17: a block of 14 x 10 quads with wavy sides, the vertices inside it displaced.
+/// Fig. 17: a block of 14 x 10 quads with wavy sides, unevenly spaced along them, the vertices
+/// inside displaced.
 Mesh quad_block();
 
 /// Fig. 22: two blocks of quads, a trapezoid that narrows towards half an annulus, as in Branets

@@ -53,15 +53,17 @@ KnownMesh square_of_quads(std::uint64_t seed) {
 }
 
 Mesh quad_block() {
-  constexpr double kWave = 0.4;     // of the sides, in cells
-  constexpr double kJitter = 0.27;  // of the vertices inside
+  constexpr double kWave = 0.4;   // of the sides, in cells
+  constexpr double kShift = 0.6;  // by which vertices crowd, at the left below, at the right above
+  constexpr double kJitter = 0.25;  // of the vertices inside, in cells
   const Grid grid{14, 10};
   Random random(1);
   auto points = grid.points([&](int i, int j) {
     const double u = static_cast<double>(i) / grid.columns;
     const double v = static_cast<double>(j) / grid.rows;
     const Vec3 wave(std::sin(2.0 * std::numbers::pi * v), std::sin(3.0 * std::numbers::pi * u), 0);
-    const Vec3 p = Vec3(i, j, 0.0) + kWave * wave;
+    const double shifted = u + kShift * u * (1.0 - u) * (2.0 * v - 1.0);
+    const Vec3 p = Vec3(grid.columns * shifted, j, 0.0) + kWave * wave;
     return grid.on_boundary(i, j) ? p : Vec3(p + kJitter * random.in_square());
   });
   return Mesh(std::move(points), grid.quads());
