@@ -24,6 +24,7 @@ MAY_INCLUDE = {
     "classic": "base geometry mesh quality constraint",
     "solver": "base geometry mesh quality cost constraint problem classic",
     "report": "base mesh quality problem solver",
+    "plot": "base geometry mesh quality problem solver",
 }
 
 INCLUDE = re.compile(r'\s*#\s*include\s+(["<])([^">]+)[">]')
