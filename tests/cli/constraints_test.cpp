@@ -147,7 +147,6 @@ TEST_F(ConstraintOptions, ReadOtherFiles) {
   EXPECT_NE(missing.err.find("missing.obj: cannot be opened"), std::string::npos) << missing.err;
 }
 
-<<<<<<< HEAD
 // A grid whose boundary is folded over itself at one vertex and fixed: some cell stays inverted.
 TEST_F(ConstraintOptions, ThatAreMetDoNotFailForACellThatStaysInverted) {
   Mesh folded = shapes::triangle_grid(4);
@@ -183,7 +182,8 @@ TEST_F(ConstraintOptions, ThatCannotBeMetFail) {
   EXPECT_NE(outcome.err.find("is too small or inverted; lower the demand"), std::string::npos)
       << outcome.err;
   EXPECT_EQ(outcome.err.find("folded"), std::string::npos) << outcome.err;
-=======
+}
+
 TEST_F(ConstraintOptions, CarryPrescribedMovesToAllImages) {
   testing::write_obj(shapes::quad_grid(4), folder_.path() / "in.obj");
   const Outcome outcome = start({"--periodic", "x=0 x=1", "--periodic", "y=0 y=1", "--prescribe",
@@ -194,7 +194,6 @@ TEST_F(ConstraintOptions, CarryPrescribedMovesToAllImages) {
                              "v 1.0625 1.03125 0\n"}) {
     EXPECT_NE(moved.find(corner), std::string::npos) << corner << moved;
   }
->>>>>>> parts
 }
 
 // ---- configuration files ------------------------------------------------------------------------
