@@ -22,7 +22,7 @@ const Named kMeshes[] = {
     {"four_triangles", [] { return four_triangles(1).start; }, 4, 0, 4},
     {"four_quads", [] { return four_quads(1).start; }, 0, 4, 8},
     {"square_of_quads", [] { return square_of_quads(1).start; }, 0, 36, 24},
-    {"teardrop", [] { return teardrop(); }, 180, 0, 38},
+    {"teardrop", [] { return teardrop(); }, 176, 0, 38},
     {"quad_block", [] { return quad_block(); }, 0, 140, 48},
     {"trapezoid_and_annulus", [] { return trapezoid_and_annulus(); }, 0, 216, 84},
     {"curved_sheet", [] { return curved_sheet(); }, 72, 63, 40},

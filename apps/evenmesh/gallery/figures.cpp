@@ -27,7 +27,7 @@ const std::vector<Plate>& plate_table() {
        "The 25 interior vertices are displaced by up to 0.4 of a cell's width in x and in y. All "
        "cells have to become squares."},
       {Start::fig12, 12, 16, "Triangles in a teardrop", false,
-       "The paper takes a scanned part; here are 180 irregular triangles in an outline like it."},
+       "The paper takes a scanned part; here are 176 irregular triangles in an outline like it."},
       {Start::fig17, 17, 21, "A block of quads", false,
        "14 x 10 quads with wavy sides, the vertices inside displaced at random."},
       {Start::fig22, 22, 27, "A trapezoid and half an annulus", false,

@@ -46,14 +46,14 @@ Result run(const Case& of, Way way, const Mesh& mesh);
 /// All the ways of a case, from its own mesh.
 std::vector<Result> run_all_ways(const Case& of);
 
-/// Thirty random starts of a mesh whose optimum is known.
+/// A case from many random starts; its optimum is known.
 struct Medians {
-  double eps = 0.0;
-  int least = 0;
+  int least = 0;  // iterations
   double median = 0.0;
-  int most = 0;              // iterations
-  double error = 0.0;        // the greatest distance from the optimum
-  std::size_t inverted = 0;  // cells, over all of them
+  int most = 0;
+  double error_at_stop = 0.0;  // the greatest distance from the optimum, where Case::eps stops
+  double error_at_end = 0.0;   // and where it can get no nearer
+  std::size_t inverted = 0;    // cells, over all of them
 };
 inline constexpr int kStarts = 30;
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "apps/evenmesh/gallery/pictures.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "evenmesh/mesh/orientation.h"
+#include "evenmesh/mesh/topology.h"
+#include "evenmesh/plot/convergence.h"
+#include "evenmesh/plot/mesh_picture.h"
+
+namespace evenmesh::gallery {
+namespace {
+
+// Nobody can tell two meshes apart that are this near, in a mesh a few units across.
+bool look_alike(Points a, Points b) {
+  constexpr double kVisible = 0.01;
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    if ((a[v] - b[v]).norm() > kVisible) return false;
+  }
+  return true;
+}
+
+// The costs of a run while it minimised the function that it ended with: others do not compare.
+Curve curve_of(const Result& result) {
+  const std::vector<Iteration>& history = result.report.history;
+  std::vector<double> costs;
+  int first = 0;
+  for (const Iteration& iteration : history) {
+    if (iteration.function != history.back().function) continue;
+    if (costs.empty()) first = iteration.number;
+    costs.push_back(iteration.cost);
+  }
+  Curve curve = above_least(std::string(name(result.way)), costs);
+  curve.first = first;
+  return curve;
+}
+
+}  // namespace
+
+std::string picture_of(const Case& of, const std::vector<Result>& results) {
+  const Mesh mesh = start_mesh(of);
+  const Orientation orientation = find_orientation(mesh);
+  std::vector<Panel> panels{{"start", mesh.points()}};
+  for (const Result& result : results) {
+    const auto alike = std::find_if(panels.begin() + 1, panels.end(), [&](const Panel& panel) {
+      return look_alike(panel.points, result.points);
+    });
+    if (alike == panels.end()) {
+      panels.push_back({std::string(name(result.way)), result.points});
+    } else {
+      alike->title += fmt::format(" = {}", name(result.way));
+    }
+  }
+  MeshPictureOptions options;
+  options.title = fmt::format("{}: {}", of.id, of.title);
+  options.panel_width = 300.0;
+  options.view = Vec3(0.35, -0.9, 1.1);
+  options.up = Vec3(0.0, 0.0, 1.0);
+  if (of.setup.held != Held::nothing) {
+    options.fixed = find_topology(mesh, orientation).boundary;
+  }
+  return mesh_picture(mesh, orientation, panels, options);
+}
+
+std::string convergence_of(const Case& of, const std::vector<Result>& results) {
+  std::vector<Curve> curves;
+  for (const Result& result : results) curves.push_back(curve_of(result));
+  ConvergenceOptions options;
+  options.title = fmt::format("{}: {}", of.id, of.title);
+  options.y_title = "f above its least value";
+  options.width = 480.0;
+  options.height = 320.0;
+  if (of.paper_iterations > 0) {
+    options.marks.push_back(
+        {static_cast<double>(of.paper_iterations), fmt::format("paper {}", of.paper_iterations)});
+  }
+  return convergence_plot(curves, options);
+}
+
+}  // namespace evenmesh::gallery
