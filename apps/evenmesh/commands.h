@@ -23,6 +23,7 @@ struct SmoothArguments {
   std::string solver = "auto";
   int iterations = 200;
   double tolerance = 1e-6;
+  double eta = 0.0;
   double time_limit = 0.0;
   int threads = 0;
   bool allow_worse = false;

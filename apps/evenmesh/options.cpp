@@ -71,11 +71,16 @@ void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
   app.add_option("--global-length", smooth.global_length,
                  "edge length that the cost global pulls to (default: the mean of the input)");
   add_constraints(app, smooth.constraints);
-  app.add_option("--solver", smooth.solver, "auto, multigrid or newton")->capture_default_str();
+  app.add_option("--solver", smooth.solver, "auto, multigrid, newton or dense")
+      ->capture_default_str();
   app.add_option("--iterations", smooth.iterations, "stop after so many")->capture_default_str();
   app.add_option("--tolerance", smooth.tolerance,
                  "stop when the gradient has fallen to this part of its start")
       ->capture_default_str();
+  app.add_option(
+      "--eta", smooth.eta,
+      "--solver dense: stop when eta (Eq. 12 of the paper) is below this, in the unit of "
+      "the costs (default: from the tolerance)");
   app.add_option("--time-limit", smooth.time_limit, "stop iterating after so many seconds");
   app.add_flag("--allow-worse", smooth.allow_worse,
                "let quality get worse where the cost asks for it; cells still never turn over");

@@ -40,9 +40,12 @@ SolverKind solver_kind(const std::string& word) {
   if (word == "auto") return SolverKind::automatic;
   if (word == "multigrid") return SolverKind::multigrid;
   if (word == "newton") return SolverKind::newton;
-  constexpr std::string_view kKnown[] = {"auto", "multigrid", "newton"};
-  throw InvalidOption(fmt::format("there is no solver '{}'{}; known are auto, multigrid, newton",
-                                  shown(word), suggestion(word, kKnown)));
+  if (word == "dense") return SolverKind::dense;
+  constexpr std::string_view kKnown[] = {"auto", "multigrid", "newton", "dense"};
+  throw InvalidOption(
+      fmt::format("there is no solver '{}'{}; known are auto, multigrid, newton and "
+                  "dense",
+                  shown(word), suggestion(word, kKnown)));
 }
 
 std::string read_text(const std::string& path) {
@@ -81,6 +84,7 @@ class Run {
     record_.command = arguments.command;
     record_.input = arguments.input.path;
     options_.tolerance = arguments.tolerance;
+    options_.eta = arguments.eta;
     options_.max_iterations = arguments.iterations;
     options_.time_limit_seconds = arguments.time_limit;
     options_.threads = arguments.threads;

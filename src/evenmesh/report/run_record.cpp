@@ -34,17 +34,25 @@ Json to_json(const QualitySummary& quality) {
 }
 
 Json to_json(const Iteration& iteration) {
-  return {{"iteration", iteration.number},
-          {"function", iteration.function},
-          {"cost", iteration.cost},
-          {"gradient", iteration.gradient},
-          {"plain_gradient", iteration.plain_gradient},
-          {"step", iteration.step},
-          {"max_move", iteration.max_move},
-          {"limited", iteration.limited},
-          {"inverted", iteration.inverted},
-          {"evaluations", iteration.evaluations},
-          {"seconds", iteration.seconds}};
+  Json json = {{"iteration", iteration.number},
+               {"function", iteration.function},
+               {"cost", iteration.cost},
+               {"gradient", iteration.gradient},
+               {"plain_gradient", iteration.plain_gradient},
+               {"step", iteration.step},
+               {"max_move", iteration.max_move},
+               {"limited", iteration.limited},
+               {"inverted", iteration.inverted},
+               {"evaluations", iteration.evaluations},
+               {"seconds", iteration.seconds}};
+  const StopMeasure& eta = iteration.eta;
+  if (eta.sum() > 0.0) {
+    json["eta"] = {{"sum", eta.sum()},
+                   {"model", eta.model},
+                   {"active", eta.active},
+                   {"inactive", eta.inactive}};
+  }
+  return json;
 }
 
 Json to_json(const NamedCell& cell) {

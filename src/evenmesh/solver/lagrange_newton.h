@@ -44,14 +44,6 @@ class NonlinearProgram {
   virtual double largest_step(const Eigen::VectorXd& y, const Eigen::VectorXd& h) const;
 };
 
-/// The stop criterion (12), of x = x_old + alpha h with the multipliers lambda found at x_old.
-struct StopMeasure {
-  double model = 0.0;     // |q(alpha h)|, the change of the quadratic model of the cost
-  double active = 0.0;    // sum of |lambda_i c_i(x)| over active constraints and equations
-  double inactive = 0.0;  // sum of |min(0, c_i(x))| over the other inequalities
-  double sum() const { return model + active + inactive; }
-};
-
 /// One step of lagrange_newton().
 struct LagrangeNewtonIteration {
   int number = 0;        // 0: the start, where only cost, penalty, violation and evaluations count

@@ -256,9 +256,8 @@ double Lagrangian::evaluate_others(Points x, std::span<Vec3> gradient) const {
     }
   }
   for (const Leash& leash : leashes_) {
-    const double leash_weight = other_stiffness_ * leash.length * leash.length;
     const Slope slope = psi(value_of(leash, x), leash.lambda);
-    sum += leash_weight * slope.value;
+    sum += weight_of(leash) * slope.value;
     if (gradient.empty() || slope.derivative == 0.0) continue;
     const Vec3 move = x[leash.vertex] - origin_[leash.vertex];
     gradient[leash.vertex] -= 2.0 * other_stiffness_ * slope.derivative * move;
@@ -300,6 +299,55 @@ void Lagrangian::for_leashes(Points x,
     body(leash.vertex, 4.0 * other_stiffness_ * slope.curvature * part * part.transpose() -
                            2.0 * other_stiffness_ * slope.derivative * Eigen::Matrix3d::Identity());
   }
+}
+
+// ---- rows one by one ---------------------------------------------------------------------------
+
+void Lagrangian::for_each_row(Points x, const std::function<void(const Row&)>& body) const {
+  std::vector<Vec3> slope;
+  for (const FunctionRow& row : functions_) {
+    const Function& function = *problem_.bounds[row.bound].function;
+    slope.assign(function.vertices().size(), Vec3::Zero());
+    const double v = value_of(row, value(row.bound, x, slope));
+    for (Vec3& part : slope) part *= row.sign / row.unit;
+    body({row.equation ? v : v - kMargin, row.equation, function.vertices(), slope});
+  }
+  for (const Leash& leash : leashes_) {
+    const Vec3 down =
+        -2.0 / (leash.length * leash.length) * (x[leash.vertex] - origin_[leash.vertex]);
+    body({value_of(leash, x) - kMargin, false, {&leash.vertex, 1}, {&down, 1}});
+  }
+  std::vector<Vec3> gradient(x.size(), Vec3::Zero());
+  Workers alone;
+  layout_.for_blocks(alone, [&](std::size_t, const Layout::Block& block) {
+    for_rows(block, x, [&](std::size_t i, std::uint32_t, double v, const auto& corner) {
+      const std::span<const Index> vertices(corner.vertices);
+      corner.add_gradient(demands_[block.first + i].scale / size_unit_, gradient);
+      slope.clear();
+      for (const Index vertex : vertices)
+        slope.push_back(std::exchange(gradient[vertex], Vec3::Zero()));
+      body({v - kMargin, false, vertices, slope});
+    });
+  });
+}
+
+void Lagrangian::set_multipliers(std::span<const double> multipliers) {
+  mode_ = Mode::multipliers;
+  dormant_ = false;
+  auto next = multipliers.begin();
+  for (FunctionRow& row : functions_) row.lambda = *next++ / weight_of_functions();
+  for (Leash& leash : leashes_) leash.lambda = *next++ / weight_of(leash);
+  Workers alone;
+  layout_.for_blocks(alone, [&](std::size_t, const Layout::Block& block) {
+    for (std::size_t i = 0; i < block.cells.size() && !demands_.empty(); ++i) {
+      const Demand& demand = demands_[block.first + i];
+      if (demand.scale == 0.0f) continue;
+      for (std::size_t k = 0; k < determinants_of(block.cells.kind); ++k) {
+        lambda_[demand.row + k] =
+            static_cast<float>(*next++ / (weight_unit_ * static_cast<double>(demand.weight)));
+      }
+    }
+  });
 }
 
 // ---- the schedule ------------------------------------------------------------------------------

@@ -64,6 +64,21 @@ class Lagrangian {
   /// body(vertex, matrix) for each.
   void for_leashes(Points x, const std::function<void(Index, const Eigen::Matrix3d&)>& body) const;
 
+  // ---- rows one by one, for methods that have multipliers of their own --------------------------
+
+  /// A demand by itself: v >= 0, or v = 0.
+  struct Row {
+    double value;  // v, less what is aimed at beyond the demand so that it is met strictly
+    bool is_equation;
+    std::span<const Index> vertices;  // that it depends on
+    std::span<const Vec3> slope;      // derivative of v with respect to each of these
+  };
+  /// Calls body with every row, always in the same order. Serial.
+  void for_each_row(Points x, const std::function<void(const Row&)>& body) const;
+  /// Takes multipliers found elsewhere, of v as Row has it, in the order of for_each_row(), in the
+  /// unit of the costs.
+  void set_multipliers(std::span<const double> multipliers);
+
   // ---- the schedule -----------------------------------------------------------------------------
 
   /// To be called now and then: sees to stages and multipliers.
@@ -140,6 +155,9 @@ class Lagrangian {
   /// Calls body(place, row, v, corner) for every row of a block's cells.
   template <typename Body>
   void for_rows(const Layout::Block& block, Points x, const Body& body) const;
+  double weight_of(const Leash& leash) const {
+    return other_stiffness_ * leash.length * leash.length;
+  }
 
   void enter_stage(int stage);
   void take_multipliers_from_penalty(Workers& workers, Points x);

@@ -110,39 +110,59 @@ void Objective::constrain(Workers& workers, const Mesh& mesh, Points origin) {
   lagrangian_.emplace(workers, mesh, origin, problem_, layout_);
 }
 
-double Objective::evaluate(Workers& workers, Points x, std::span<Vec3> gradient) const {
-  assert(x.size() == size() && (gradient.empty() || gradient.size() == size()));
+double Objective::sum_over_blocks(Workers& workers, std::span<Vec3> gradient,
+                                  const std::function<double(const Layout::Block&)>& part) const {
+  assert(gradient.empty() || gradient.size() == size());
   for_ranges(workers, gradient.size(), [&](std::size_t first, std::size_t last) {
     std::fill(gradient.begin() + static_cast<std::ptrdiff_t>(first),
               gradient.begin() + static_cast<std::ptrdiff_t>(last), Vec3::Zero());
   });
   std::vector<double> partial(layout_.chunks(), 0.0);
   layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
-    partial[chunk] += evaluate(block, x, gradient);
+    partial[chunk] += part(block);
   });
-  double sum = lagrangian_ ? lagrangian_->evaluate_others(x, gradient) : 0.0;
+  double sum = 0.0;
   for (const double value : partial) sum += value;
   return sum;
 }
 
+double Objective::evaluate(Workers& workers, Points x, std::span<Vec3> gradient) const {
+  assert(x.size() == size());
+  const double cells = sum_over_blocks(
+      workers, gradient, [&](const Layout::Block& block) { return evaluate(block, x, gradient); });
+  return lagrangian_ ? cells + lagrangian_->evaluate_others(x, gradient) : cells;
+}
+
 double Objective::evaluate(const Layout::Block& block, Points x, std::span<Vec3> gradient) const {
+  const double costs = cost(block, x, gradient);
+  return lagrangian_ ? costs + lagrangian_->evaluate(block, x, gradient) : costs;
+}
+
+double Objective::cost(const Layout::Block& block, Points x, std::span<Vec3> gradient) const {
   double sum = 0.0;
   for (const Term& term : problem_.terms) {
     sum += term.cost->evaluate(block.cells, x, term.weight, gradient);
   }
-  return lagrangian_ ? sum + lagrangian_->evaluate(block, x, gradient) : sum;
+  return sum;
 }
 
-double Objective::cost(Workers& workers, Points x) const {
-  std::vector<double> partial(layout_.chunks(), 0.0);
-  layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
+double Objective::cost(Workers& workers, Points x, std::span<Vec3> gradient) const {
+  return sum_over_blocks(workers, gradient,
+                         [&](const Layout::Block& block) { return cost(block, x, gradient); });
+}
+
+double Objective::typical_stiffness(Points x) const {
+  std::vector<Exponents> exponents(1);
+  Workers alone;
+  layout_.for_blocks(alone, [&](std::size_t, const Layout::Block& block) {
+    std::vector<Spring> springs;
     for (const Term& term : problem_.terms) {
-      partial[chunk] += term.cost->evaluate(block.cells, x, term.weight, {});
+      springs.clear();
+      term.cost->add_springs(block.cells, x, springs);
+      for (const Spring& spring : springs) exponents[0].add(term.weight * spring.stiffness);
     }
   });
-  double sum = 0.0;
-  for (const double value : partial) sum += value;
-  return sum;
+  return typical(exponents);
 }
 
 SymmetricMatrix Objective::majoriser(Workers& all_workers, Points x) const {

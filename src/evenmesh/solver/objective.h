@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -43,7 +44,10 @@ class Objective {
   /// @param gradient  added to; or empty
   double evaluate(const Layout::Block& block, Points x, std::span<Vec3> gradient) const;
   /// The weighted sum of the costs alone.
-  double cost(Workers& workers, Points x) const;
+  /// @param[out] gradient  as for evaluate()
+  double cost(Workers& workers, Points x, std::span<Vec3> gradient = {}) const;
+  /// Geometric mean of the stiffnesses of the costs' springs at x; 1 if there are none.
+  double typical_stiffness(Points x) const;
 
   /// The Laplacian of the costs' springs at x over the vertices that may move: the majoriser of
   /// the costs' Hessian that the solver preconditions with. Pieces of the mesh that no fixed vertex
@@ -54,6 +58,10 @@ class Objective {
   std::vector<Projector> projectors(const Motion::Places& places) const;
 
  private:
+  double cost(const Layout::Block& block, Points x, std::span<Vec3> gradient) const;
+  double sum_over_blocks(Workers& workers, std::span<Vec3> gradient,
+                         const std::function<double(const Layout::Block&)>& part) const;
+
   const Problem& problem_;
   Layout layout_;
   Motion motion_;  // the problem's, less what was held on the way

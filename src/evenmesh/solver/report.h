@@ -54,21 +54,32 @@ constexpr std::string_view name(Promise promise) {
 enum class SolverKind : std::uint8_t {
   automatic,  // multigrid; and where that gets slow and Newton's equations are affordable, newton
   multigrid,  // conjugate gradients preconditioned with multigrid: any size
-  newton      // Newton's method with sparse Cholesky: for small meshes, last digits, soft costs
+  newton,     // Newton's method with sparse Cholesky: for small meshes, last digits, soft costs
+  dense       // the paper's Lagrange-Newton method with dense curvature: the reference
 };
 
 constexpr std::string_view name(SolverKind kind) {
-  constexpr std::string_view kNames[] = {"automatic", "multigrid", "newton"};
+  constexpr std::string_view kNames[] = {"automatic", "multigrid", "newton", "dense"};
   return kNames[static_cast<int>(kind)];
 }
+
+/// The stop criterion of the paper's method, Eq. (12), at x = x_old + alpha h with the multipliers
+/// lambda found at x_old.
+struct StopMeasure {
+  double model = 0.0;     // |q(alpha h)|, the change of the quadratic model of the cost
+  double active = 0.0;    // sum of |lambda_i c_i(x)| over active constraints and equations
+  double inactive = 0.0;  // sum of |min(0, c_i(x))| over the other inequalities
+  double sum() const { return model + active + inactive; }
+};
 
 /// One iterate of the solver.
 struct Iteration {
   int number = 0;               // 0: the input
   double cost = 0.0;            // f and what constraints add to it, in the units of the costs
   double gradient = 0.0;        // |g| in the norm sqrt(g^T M g) of the preconditioner M, over the
-                                // same at the start; does not depend on the size of the mesh
-  double plain_gradient = 0.0;  // Euclidean |g| over the same at the start
+                                // same at the start; does not depend on the size of the mesh.
+                                // dense: the root of eta over the same at the first step
+  double plain_gradient = 0.0;  // Euclidean |g| over the same at the start; dense: as gradient
   double step = 0.0;            // step length along the search direction; 0 for the input
   double max_move = 0.0;        // longest move of a vertex in this step, mesh length unit
   std::size_t limited = 0;      // vertices whose step was shortened so that no cell turns over
@@ -77,6 +88,7 @@ struct Iteration {
                                 // rises when a penalty or multiplier has changed
   int evaluations = 0;          // of cost and gradient so far
   double seconds = 0.0;         // wall-clock since the solver began
+  StopMeasure eta = {};         // dense only
 };
 
 /// A demand on a cell that is active or not met.

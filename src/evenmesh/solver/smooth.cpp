@@ -14,6 +14,7 @@
 #include "evenmesh/base/timer.h"
 #include "evenmesh/mesh/measure.h"
 #include "evenmesh/solver/bring.h"
+#include "evenmesh/solver/dense.h"
 #include "evenmesh/solver/descent.h"
 #include "evenmesh/solver/flips.h"
 #include "evenmesh/solver/guard.h"
@@ -28,6 +29,9 @@ void check(const Options& options) {
   if (!(options.tolerance > 0.0 && options.tolerance < 1.0)) {
     throw InvalidOption(
         fmt::format("the tolerance must lie between 0 and 1, not {}", options.tolerance));
+  }
+  if (!(options.eta >= 0.0)) {
+    throw InvalidOption(fmt::format("eta must not be negative: {}", options.eta));
   }
   if (options.max_iterations < 0) {
     throw InvalidOption(
@@ -160,22 +164,37 @@ class Smoothing {
     const double cpu_before = cpu_seconds();
     Objective objective(mesh_, problem_);
     objective.constrain(workers_, mesh_, origin_);
-    Multigrid preconditioner(workers_, objective.majoriser(workers_, points_),
+    const bool dense = options_.solver == SolverKind::dense;
+    std::optional<Multigrid> preconditioner;
+    if (!dense) {
+      preconditioner.emplace(workers_, objective.majoriser(workers_, points_),
                              objective.projectors(problem_.motion.start()));
-    report_.multigrid_levels = preconditioner.levels();
+      report_.multigrid_levels = preconditioner->levels();
+    }
     report_.setup_seconds = timer_.seconds();
     report_.setup_cpu_seconds = cpu_seconds() - cpu_before;
 
-    const double least_shape = options_.judge == Judge::quality_and_inversion
+    // The dense method shortens steps as a whole: it must not for the sake of a single vertex.
+    const double least_shape = options_.judge == Judge::quality_and_inversion && !dense
                                    ? guard_.before().of(Metric::shape).worst
                                    : 0.0;
     Flips flips(objective.layout(), mesh_.points(), problem_.orientation, least_shape);
     // Surfaces have soft modes, along which all vertices of a patch drift together at little gain;
     // no vertex needs to go further than to its neighbours.
-    if (problem_.orientation.type == MeshType::surface) flips.set_reach(local_edge_lengths(mesh_));
+    if (problem_.orientation.type == MeshType::surface && !dense) {
+      flips.set_reach(local_edge_lengths(mesh_));
+    }
+    const Minimiser minimise = [&](std::vector<Vec3>& x, Report& report, const Observer& observe) {
+      if (dense) {
+        const Flips* judged = options_.judge == Judge::nothing ? nullptr : &flips;
+        descend_densely(workers_, objective, judged, options_, x, report, observe);
+      } else {
+        descend(workers_, objective, *preconditioner, flips, options_, x, report, observe);
+      }
+    };
 
     timer_ = Timer();
-    descend(workers_, objective, preconditioner, flips, options_, points_, report_);
+    minimise(points_, report_, {});
     report_.solve_seconds = timer_.seconds();
     report_.cost_before = objective.cost(workers_, mesh_.points());
 
@@ -184,7 +203,7 @@ class Smoothing {
     Guard::Result result =
         guard_.enforce(workers_, points_, options_.judge, options_.representable);
     find_what_holds(objective);
-    if (result.mean_fell) keep_best_iterate(objective, preconditioner, flips, result);
+    if (result.mean_fell) keep_best_iterate(objective, minimise, result);
     report_.promise = result.promise;
     report_.pulled_back = result.pulled_back;
     report_.deviation = result.deviation;
@@ -199,6 +218,10 @@ class Smoothing {
   std::vector<Vec3>& points() { return points_; }
 
  private:
+  using Observer = std::function<bool(Points)>;
+  // Moves x to where the objective is least; fills in the report's history, stop and solver.
+  using Minimiser = std::function<void(std::vector<Vec3>& x, Report& report, const Observer&)>;
+
   // Multipliers: of what was eliminated, the part of the gradient that vertices cannot follow.
   void find_what_holds(Objective& objective) {
     const Lagrangian& lagrangian = *objective.lagrangian();
@@ -235,8 +258,7 @@ class Smoothing {
   // The minimiser has a lower mean of shape than the input: the cost and the measure disagree here.
   // Goes the same way again, stops where the mean is highest, and takes that if it is better than
   // what pulling back made of the minimiser.
-  void keep_best_iterate(Objective& objective, Multigrid& preconditioner, const Flips& flips,
-                         Guard::Result& result) {
+  void keep_best_iterate(Objective& objective, const Minimiser& minimise, Guard::Result& result) {
     constexpr int kPatience = 4;  // iterates without a new best
     Report again = report_;
     again.history.clear();
@@ -250,7 +272,7 @@ class Smoothing {
     double best_mean = guard_.before().of(Metric::shape).mean;
     int best_number = 0;
     int number = 0;
-    descend(workers_, objective, preconditioner, flips, options_, x, again, [&](Points iterate) {
+    minimise(x, again, [&](Points iterate) {
       const double mean = guard_.mean_shape_at(workers_, iterate);
       if (mean > best_mean) {
         best_mean = mean;

@@ -15,6 +15,9 @@ struct Options {
   /// Stop when the gradient, in the preconditioner's norm and relative to the start, is at most
   /// this. 1e-4 is final to the eye. In (0, 1).
   double tolerance = 1e-6;
+  /// dense: stop when eta of the paper's Eq. (12) is below this, in the unit of the costs. 0: below
+  /// tolerance^2 times the cost at the start, which asks for about as much as tolerance does. >= 0.
+  double eta = 0.0;
   int max_iterations = 200;         // >= 0
   double time_limit_seconds = 0.0;  // wall-clock for the iterations; 0: none
   int threads = 1;  // 0: one per core, at most 1024; the result has the same bits for any number
@@ -34,7 +37,8 @@ struct Options {
 void check(const Options& options);
 
 /// Moves the vertices of a mesh to where the problem's cost is least, by a nonlinear conjugate
-/// gradient method preconditioned with multigrid, or by Newton's method (Options::solver).
+/// gradient method preconditioned with multigrid, by Newton's method, or by the dense method of the
+/// paper (Options::solver).
 ///
 /// Afterwards, in comparison with the input:
 /// - vertices that the problem fixes have the same bits,

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+#include "evenmesh/solver/dense.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <Eigen/SparseCore>
+#include <fmt/core.h>
+
+#include "evenmesh/base/error.h"
+#include "evenmesh/base/timer.h"
+#include "evenmesh/solver/lagrange_newton.h"
+#include "evenmesh/solver/vectors.h"
+
+namespace evenmesh {
+namespace {
+
+constexpr double kOfFirstFlip = 0.95;  // part of the way to it that a step may go
+constexpr double kShortestStep = 1e-6;
+
+int directions(Motion::Freedom freedom) { return static_cast<int>(freedom); }
+static_assert(static_cast<int>(Motion::Freedom::fixed) == 0 &&
+              static_cast<int>(Motion::Freedom::free) == 3);
+
+// The unknowns of the vertices that may move: steps along axes, each vertex with its own.
+class LocalSteps {
+ public:
+  LocalSteps(const Motion& motion, const Motion::Places& places) : motion_(motion) {
+    first_.assign(motion.size(), 0);
+    for (Index v = 0; v < motion.size(); ++v) {
+      first_[v] = static_cast<std::uint32_t>(axes_.size());
+      if (motion.leader(v) != v) continue;
+      const int count = directions(motion.freedom(v));
+      for (int k = 0; k < count; ++k) {
+        vertices_.push_back(v);
+        axes_.push_back(Vec3::Unit(k));
+      }
+    }
+    turn(places);
+  }
+
+  std::size_t size() const { return axes_.size(); }
+  Index vertex(std::size_t unknown) const { return vertices_[unknown]; }
+  const Vec3& axis(std::size_t unknown) const { return axes_[unknown]; }
+  /// The unknowns of a vertex or of what it is tied to: [first, first + count).
+  std::size_t first(Index v) const { return first_[motion_.leader(v)]; }
+  std::size_t count(Index v) const {
+    return static_cast<std::size_t>(directions(motion_.freedom(motion_.leader(v))));
+  }
+
+  /// Turns axes into where vertices may move now, as little as can be.
+  void turn(const Motion::Places& places) {
+    for (std::size_t i = 0; i < size(); i += count(vertices_[i])) {
+      const Index v = vertices_[i];
+      if (motion_.freedom(v) == Motion::Freedom::free) continue;
+      std::array<Vec3, 5> candidates;  // what the axes were, then any
+      const std::size_t n = count(v);
+      std::copy_n(axes_.begin() + static_cast<std::ptrdiff_t>(i), n, candidates.begin());
+      for (std::size_t k = 0; k < 3; ++k) {
+        candidates[n + k] = Vec3::Unit(static_cast<Eigen::Index>(k));
+      }
+      std::size_t found = 0;
+      for (std::size_t c = 0; c < n + 3 && found < n; ++c) {
+        Vec3 axis = motion_.project(places, v, candidates[c]);
+        if (found == 1) axis -= axes_[i].dot(axis) * axes_[i];
+        const double length = axis.norm();
+        if (length < 0.5) continue;
+        axes_[i + found++] = axis / length;
+      }
+    }
+  }
+
+ private:
+  const Motion& motion_;
+  std::vector<std::uint32_t> first_;  // per vertex
+  std::vector<Index> vertices_;       // per unknown
+  std::vector<Vec3> axes_;            // per unknown
+};
+
+// A mesh's costs and demands as functions of the unknowns. These are steps from a base that follows
+// the iterates, so that y is 0 at every one of them.
+class MeshProgram final : public NonlinearProgram {
+ public:
+  MeshProgram(Workers& workers, const Objective& objective, const Flips* flips,
+              std::vector<Vec3>& x)
+      : workers_(workers),
+        objective_(objective),
+        lagrangian_(*objective.lagrangian()),
+        flips_(flips),
+        base_(x),
+        places_(objective.motion().start()),
+        trial_(x),
+        trial_places_(places_),
+        steps_(objective.motion(), places_),
+        unit_(unit_of_unknowns()) {
+    lagrangian_.for_each_row(base_, [&](const Lagrangian::Row& row) {
+      is_equation_.push_back(row.is_equation);
+      equations_ += row.is_equation ? 1 : 0;
+    });
+    limit_steps();
+  }
+
+  Eigen::Index unknowns() const override { return static_cast<Eigen::Index>(steps_.size()); }
+  Eigen::Index equations() const override { return equations_; }
+  Eigen::Index inequalities() const override {
+    return static_cast<Eigen::Index>(is_equation_.size()) - equations_;
+  }
+
+  double cost(const Eigen::VectorXd& y, Eigen::VectorXd* gradient) const override {
+    move_to(y);
+    if (gradient == nullptr) return objective_.cost(workers_, trial_);
+    std::vector<Vec3> g(trial_.size());
+    const double value = objective_.cost(workers_, trial_, g);
+    objective_.motion().reduce(workers_, trial_places_, g);
+    gradient->resize(unknowns());
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      (*gradient)[static_cast<Eigen::Index>(i)] = unit_ * steps_.axis(i).dot(g[steps_.vertex(i)]);
+    }
+    return value;
+  }
+
+  void constraints(const Eigen::VectorXd& y, Eigen::VectorXd& c,
+                   SparseRowMatrix* jacobian) const override {
+    move_to(y);
+    c.resize(static_cast<Eigen::Index>(is_equation_.size()));
+    std::vector<Eigen::Triplet<double>> entries;
+    for_rows([&](Eigen::Index i, const Lagrangian::Row& row) {
+      c[i] = row.value;
+      if (jacobian != nullptr) add_entries(i, row, entries);
+    });
+    if (jacobian == nullptr) return;
+    jacobian->resize(c.size(), unknowns());
+    jacobian->setFromTriplets(entries.begin(), entries.end());
+  }
+
+  Eigen::VectorXd advance(const Eigen::VectorXd& y, const Eigen::VectorXd& step) override {
+    move_to(y + step);
+    max_move_ = 0.0;
+    for (std::size_t v = 0; v < base_.size(); ++v) {
+      max_move_ = std::max(max_move_, (trial_[v] - base_[v]).norm());
+    }
+    base_ = trial_;
+    places_ = trial_places_;
+    steps_.turn(places_);
+    limit_steps();
+    return Eigen::VectorXd::Zero(unknowns());
+  }
+
+  double largest_step(const Eigen::VectorXd& y, const Eigen::VectorXd& h) const override {
+    if (!is_limited_) return 1.0;
+    if (is_valid_at(y + h)) return 1.0;
+    double valid = 0.0;
+    double invalid = 1.0;
+    while (invalid - valid > 0.01 * invalid && invalid > kShortestStep) {
+      const double middle = 0.5 * (valid + invalid);
+      (is_valid_at(y + middle * h) ? valid : invalid) = middle;
+    }
+    return std::max(kOfFirstFlip * valid, kShortestStep);
+  }
+
+  double max_move() const { return max_move_; }
+  std::size_t inverted() const { return inverted_; }
+  std::size_t rows() const { return is_equation_.size(); }
+
+  /// From equations first to the order of the rows.
+  std::vector<double> in_order_of_rows(const Eigen::VectorXd& multipliers) const {
+    std::vector<double> result(is_equation_.size());
+    Eigen::Index equation = 0;
+    Eigen::Index inequality = equations_;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] = multipliers[is_equation_[i] ? equation++ : inequality++];
+    }
+    return result;
+  }
+
+ private:
+  double unit_of_unknowns() const {
+    constexpr double kUsual = 2.0;
+    constexpr double kRange = 100.0;
+    const double ratio = objective_.typical_stiffness(base_) / kUsual;
+    return ratio < kRange && ratio > 1.0 / kRange ? 1.0 : 1.0 / std::sqrt(ratio);
+  }
+
+  void move_to(const Eigen::VectorXd& y) const {
+    trial_ = base_;
+    trial_places_ = places_;
+    if (y.isZero(0.0)) return;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      trial_[steps_.vertex(i)] += unit_ * y[static_cast<Eigen::Index>(i)] * steps_.axis(i);
+    }
+    objective_.motion().retract(workers_, base_, places_, trial_, trial_places_);
+  }
+
+  bool is_valid_at(const Eigen::VectorXd& y) const {
+    move_to(y);
+    return flips_->find(workers_, base_, trial_).empty();
+  }
+
+  // While cells are inverted they have to pass through one another.
+  void limit_steps() {
+    inverted_ = lagrangian_.violation(workers_, base_).inverted;
+    is_limited_ = flips_ != nullptr && inverted_ == 0;
+  }
+
+  template <typename Body>
+  void for_rows(const Body& body) const {
+    Eigen::Index equation = 0;
+    Eigen::Index inequality = equations_;
+    lagrangian_.for_each_row(trial_, [&](const Lagrangian::Row& row) {
+      body(row.is_equation ? equation++ : inequality++, row);
+    });
+  }
+
+  void add_entries(Eigen::Index i, const Lagrangian::Row& row,
+                   std::vector<Eigen::Triplet<double>>& entries) const {
+    for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+      const Index v = row.vertices[k];
+      for (std::size_t j = steps_.first(v); j < steps_.first(v) + steps_.count(v); ++j) {
+        entries.emplace_back(i, static_cast<Eigen::Index>(j),
+                             unit_ * steps_.axis(j).dot(row.slope[k]));
+      }
+    }
+  }
+
+  Workers& workers_;
+  const Objective& objective_;
+  const Lagrangian& lagrangian_;
+  const Flips* flips_;
+  std::vector<Vec3>& base_;
+  Motion::Places places_;
+  mutable std::vector<Vec3> trial_;  // where move_to() went last
+  mutable Motion::Places trial_places_;
+  LocalSteps steps_;
+  double unit_;
+  std::vector<char> is_equation_;  // per row
+  Eigen::Index equations_ = 0;
+  std::size_t inverted_ = 0;
+  bool is_limited_ = false;
+  double max_move_ = 0.0;
+};
+
+void check_memory(const MeshProgram& program) {
+  const auto unknowns = static_cast<std::size_t>(program.unknowns());
+  const double bytes = dense_memory_bytes(unknowns, program.rows());
+  if (bytes <= kMostDenseBytes) return;
+  throw InvalidOption(fmt::format(
+      "the solver dense would take {:.1f} GB for {} unknowns and {} constraints, more than {:.1f} "
+      "GB; use multigrid or newton, which go by the size of the mesh, or fix more vertices",
+      bytes / 1e9, unknowns, program.rows(), kMostDenseBytes / 1e9));
+}
+
+// Follows the method from outside: reports, and passes on who wants to stop.
+class Follower {
+ public:
+  Follower(const MeshProgram& program, const Options& options, Points x, Report& report,
+           const std::function<bool(Points)>& observe)
+      : program_(program), options_(options), x_(x), report_(report), observe_(observe) {}
+
+  bool go_on(const LagrangeNewtonIteration& step) {
+    if (step.number == 1) first_eta_ = step.eta.sum();
+    report_.history.push_back({.number = step.number,
+                               .cost = step.cost,
+                               .gradient = relative(step.eta.sum()),
+                               .plain_gradient = relative(step.eta.sum()),
+                               .step = step.alpha,
+                               .max_move = step.number > 0 ? program_.max_move() : 0.0,
+                               .limited = 0,
+                               .inverted = program_.inverted(),
+                               .function = 0,
+                               .evaluations = step.evaluations,
+                               .seconds = timer_.seconds(),
+                               .eta = step.eta});
+    if (observe_ && !observe_(x_)) return false;
+    if (options_.progress && !options_.progress(report_.history.back())) return false;
+    is_late_ = options_.time_limit_seconds > 0.0 && timer_.seconds() >= options_.time_limit_seconds;
+    return !is_late_;
+  }
+  bool is_late() const { return is_late_; }
+
+ private:
+  double relative(double eta) const {
+    return first_eta_ > 0.0 ? std::sqrt(eta / first_eta_) : (report_.history.empty() ? 1.0 : 0.0);
+  }
+
+  const MeshProgram& program_;
+  const Options& options_;
+  Points x_;
+  Report& report_;
+  const std::function<bool(Points)>& observe_;
+  Timer timer_;
+  double first_eta_ = 0.0;
+  bool is_late_ = false;
+};
+
+}  // namespace
+
+void descend_densely(Workers& workers, Objective& objective, const Flips* flips,
+                     const Options& options, std::vector<Vec3>& x, Report& report,
+                     const std::function<bool(Points x)>& observe) {
+  MeshProgram program(workers, objective, flips, x);
+  check_memory(program);
+  report.solver = SolverKind::dense;
+  Follower follower(program, options, x, report, observe);
+  const double cost = objective.cost(workers, x);
+  if (!std::isfinite(cost)) {
+    report.stop = Stop::no_descent;
+    return;
+  }
+  if (!follower.go_on({.cost = cost, .evaluations = 1})) {
+    report.stop = follower.is_late() ? Stop::time_limit : Stop::interrupted;
+    return;
+  }
+  LagrangeNewtonOptions method;
+  method.max_iterations = options.max_iterations;
+  method.epsilon = options.eta > 0.0
+                       ? options.eta
+                       : std::max(options.tolerance * options.tolerance * std::max(cost, 0.0),
+                                  std::numeric_limits<double>::min());
+  method.progress = [&](const LagrangeNewtonIteration& step) { return follower.go_on(step); };
+  const LagrangeNewtonResult result =
+      lagrange_newton(program, Eigen::VectorXd::Zero(program.unknowns()), method);
+  report.stop = follower.is_late() ? Stop::time_limit : result.stop;
+  if (program.rows() > 0) {
+    objective.lagrangian()->set_multipliers(program.in_order_of_rows(result.multipliers));
+  }
+}
+
+}  // namespace evenmesh
