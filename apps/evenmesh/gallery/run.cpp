@@ -21,10 +21,8 @@
 namespace evenmesh::gallery {
 namespace {
 
-// Until the dense method is there.
-constexpr SolverKind kReference = SolverKind::newton;
-// For as good as doubles resolve.
-constexpr double kToTheEnd = 1e-13;
+// eta below which doubles resolve no more.
+constexpr double kToTheEnd = 1e-16;
 
 bool is_cured(Way way) { return way == Way::cured_dense || way == Way::cured_evenmesh; }
 
@@ -77,21 +75,22 @@ void hold(const Case& of, Way way, const Mesh& mesh, Problem& problem) {
 
 Options options_of(const Case& of, Way way) {
   constexpr int kEnough = 2000;
+  constexpr double kTight = 1e-7;  // eta below 1e-14 of the cost at the start
   Options options;
   options.threads = 1;
   options.max_iterations = kEnough;
   if (way == Way::evenmesh || way == Way::cured_evenmesh) return options;
-  options.solver = kReference;
+  options.solver = SolverKind::dense;
   if (way == Way::paper) {
     options.judge = Judge::nothing;
-    options.tolerance = of.eps;
+    options.eta = of.eps;
     // Of an exact mesh the count is the question, of the others the budget.
     if (!plate_of(of.start).exact && of.paper_iterations > 0) {
       options.max_iterations = of.paper_iterations;
     }
   } else {
     options.judge = Judge::inversion;
-    options.tolerance = kToTheEnd;
+    options.tolerance = kTight;
   }
   return options;
 }
