@@ -553,6 +553,17 @@ TEST(LagrangeNewton, StopsAtTheLimitOrWhenAsked) {
   EXPECT_EQ(result.history.size(), 4u);
 }
 
+TEST(LagrangeNewton, ShowsEveryStepTheLastIncluded) {
+  auto program = unconstrained<1>([](const auto& x) { return square(square(x[0])) - x[0]; });
+  std::size_t seen = 0;
+  const LagrangeNewtonResult result =
+      lagrange_newton(program, vector({2}),
+                      {.progress = [&](const LagrangeNewtonIteration&) { return ++seen > 0; }});
+  EXPECT_EQ(result.stop, Stop::converged);
+  EXPECT_GE(seen, 3u);
+  EXPECT_EQ(seen, result.history.size() - 1);
+}
+
 TEST(LagrangeNewton, StaysWhereItHasConverged) {
   auto program = written<2>(
       1, [](const auto& x) { return square(x[0]) + square(x[1]); },

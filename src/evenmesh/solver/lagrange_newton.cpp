@@ -278,8 +278,10 @@ std::optional<Stop> LagrangeNewton::iterate() {
   entry.eta = measure(alpha.value_or(1.0), slope);
   record(entry);
 
+  // The last step is one, too.
+  const bool go_on = !options_.progress || options_.progress(result_.history.back());
   if (entry.eta.sum() < options_.epsilon) return Stop::converged;
-  if (options_.progress && !options_.progress(result_.history.back())) return Stop::interrupted;
+  if (!go_on) return Stop::interrupted;
   const bool lost = -predicted <= resolution && entry.eta.sum() > 0.5 * last_eta_;
   const bool stuck = !alpha || lost || (elastic_ && entry.eta.model < options_.epsilon);
   last_eta_ = entry.eta.sum();
