@@ -35,9 +35,9 @@ const std::vector<Plate>& plate_table() {
        "Two blocks of quads as in Branets and Carey (2005). The exterior boundary is fixed; all "
        "other vertices, those between the blocks included, move in the plane."},
       {Start::fig28, 28, 31, "Quads and triangles on a curved sheet", false,
-       "A part of a sphere. The paper does not say what holds the vertices: in the row 'paper' the "
-       "boundary is fixed and the others are free in space, in all others they slide on the "
-       "sphere."},
+       "A part of a sphere. The paper does not say what holds the vertices: in the row 'paper's "
+       "method' those on the boundary are fixed and the others free in space, in the other rows "
+       "these slide on the sphere."},
   };
   return table;
 }
@@ -131,8 +131,8 @@ const std::vector<Case>& case_table() {
        .paper_words = "50 in the text, 30 under the figure",
        .unique = false,
        .lesson =
-           "Edge lengths cannot see that a triangle is turned over. Where edges are too short "
-           "for the common length they escape by folding; validity forbids it."},
+           "Edge lengths cannot see that a triangle is turned over. Where the common length is "
+           "longer than there is room for, they escape by folding; validity forbids it."},
       {.id = "fig12t",
        .figures = {12},
        .start = Start::fig12,

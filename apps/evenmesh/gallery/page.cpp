@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/evenmesh/gallery/page.h"
 
+#include <algorithm>
 #include <system_error>
 
 #include <fmt/core.h>
@@ -39,12 +40,14 @@ ours look like them, so that numbers of iterations do not compare exactly.
 )";
 
 std::string figure_range(const Plate& plate) {
-  return fmt::format("Figs. {} to {}", plate.first_figure, plate.last_figure);
+  const bool two = plate.last_figure == plate.first_figure + 1;
+  return fmt::format("Figs. {} {} {}", plate.first_figure, two ? "and" : "to", plate.last_figure);
 }
 
 std::string mesh_words(const Plate& plate) {
   return fmt::format("{} {}", plate.words,
-                     plate.exact ? "The mesh is the paper's own." : "The mesh is a look-alike.");
+                     plate.exact ? "The mesh is the paper's own, its disturbance ours."
+                                 : "The mesh is a look-alike.");
 }
 
 // "Fig. 13a".
@@ -87,10 +90,29 @@ std::string in_markdown(const Exhibit& exhibit) {
       as_markdown(table_of(of, exhibit.results)), figure_of(of), of.id, figure_of(of), of.id);
 }
 
+// Lines of at most a hundred characters, broken between words.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t kWidth = 100;
+  std::string result;
+  std::size_t length = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    if (length > 0) {
+      const bool fits = length + 1 + (end - begin) <= kWidth;
+      result += fits ? ' ' : '\n';
+      length = fits ? length + 1 : 0;
+    }
+    result += text.substr(begin, end - begin);
+    length += end - begin;
+    begin = end + 1;
+  }
+  return result + '\n';
+}
+
 std::string starts_words() {
   return fmt::format(
       "{} random starts by the paper's method; errors are distances from the known "
-      "optimum, 'at the end' where doubles resolve no more:",
+      "optimum, 'at the end' with an eps of 1e-16:",
       kStarts);
 }
 
@@ -110,14 +132,14 @@ Series make_series(Start start) {
 
 std::string text_of(const Exhibit& exhibit) {
   const Plate& plate = plate_of(exhibit.of->start);
-  std::string text =
-      fmt::format("{} - {}\n{}\n", heading(*exhibit.of), plate.title, mesh_words(plate));
-  if (const std::string lesson = lesson_of(exhibit); !lesson.empty()) text += lesson + '\n';
+  std::string text = fmt::format("{} - {}\n", heading(*exhibit.of), plate.title);
+  text += wrapped(mesh_words(plate));
+  if (const std::string lesson = lesson_of(exhibit); !lesson.empty()) text += wrapped(lesson);
   return text + as_text(table_of(*exhibit.of, exhibit.results)) + '\n';
 }
 
 std::string text_of(const Series& series) {
-  return starts_words() + '\n' + as_text(starts_table(series.of, series.medians)) + '\n';
+  return wrapped(starts_words()) + as_text(starts_table(series.of, series.medians)) + '\n';
 }
 
 std::string gallery_page(const std::vector<Exhibit>& exhibits, const std::vector<Series>& series) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/evenmesh/gallery/pictures.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -13,11 +13,17 @@
 namespace evenmesh::gallery {
 namespace {
 
-// Nobody can tell two meshes apart that are this near, in a mesh a few units across.
-bool look_alike(Points a, Points b) {
+// Nobody can tell two meshes apart whose cells are this equal, in a mesh a few units across; free
+// ones may have turned as a whole.
+bool look_alike(const Mesh& mesh, Points a, Points b) {
   constexpr double kVisible = 0.01;
-  for (std::size_t v = 0; v < a.size(); ++v) {
-    if ((a[v] - b[v]).norm() > kVisible) return false;
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
+    const auto vertices = mesh.cells().vertices(c);
+    for (const Index u : vertices) {
+      for (const Index v : vertices) {
+        if (std::abs((a[u] - a[v]).norm() - (b[u] - b[v]).norm()) > kVisible) return false;
+      }
+    }
   }
   return true;
 }
@@ -43,14 +49,18 @@ std::string picture_of(const Case& of, const std::vector<Result>& results) {
   const Mesh mesh = start_mesh(of);
   const Orientation orientation = find_orientation(mesh);
   std::vector<Panel> panels{{"start", mesh.points()}};
+  std::vector<std::size_t> inverted{results.front().report.quality_before.inverted};
   for (const Result& result : results) {
-    const auto alike = std::find_if(panels.begin() + 1, panels.end(), [&](const Panel& panel) {
-      return look_alike(panel.points, result.points);
-    });
-    if (alike == panels.end()) {
+    std::size_t alike = 1;
+    while (alike < panels.size() && (inverted[alike] != result.inverted() ||
+                                     !look_alike(mesh, panels[alike].points, result.points))) {
+      ++alike;
+    }
+    if (alike == panels.size()) {
       panels.push_back({std::string(name(result.way)), result.points});
+      inverted.push_back(result.inverted());
     } else {
-      alike->title += fmt::format(" = {}", name(result.way));
+      panels[alike].title += fmt::format(" = {}", name(result.way));
     }
   }
   MeshPictureOptions options;

@@ -21,7 +21,7 @@
 namespace evenmesh::gallery {
 namespace {
 
-// eta below which doubles resolve no more.
+// An eps near the resolution of doubles.
 constexpr double kToTheEnd = 1e-16;
 
 bool is_cured(Way way) { return way == Way::cured_dense || way == Way::cured_evenmesh; }
@@ -75,7 +75,6 @@ void hold(const Case& of, Way way, const Mesh& mesh, Problem& problem) {
 
 Options options_of(const Case& of, Way way) {
   constexpr int kEnough = 2000;
-  constexpr double kTight = 1e-7;  // eta below 1e-14 of the cost at the start
   Options options;
   options.threads = 1;
   options.max_iterations = kEnough;
@@ -90,7 +89,6 @@ Options options_of(const Case& of, Way way) {
     }
   } else {
     options.judge = Judge::inversion;
-    options.tolerance = kTight;
   }
   return options;
 }
