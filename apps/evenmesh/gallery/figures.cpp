@@ -137,7 +137,7 @@ const std::vector<Case>& case_table() {
        .figures = {12},
        .start = Start::fig12,
        .tangled = true,
-       .title = "local, boundary fixed, from a tangled start",
+       .title = "local, from a tangled start",
        .setup = {local()},
        .lesson =
            "Not in the paper: the vertices inside are displaced by up to a whole edge. Without "
@@ -193,7 +193,7 @@ const std::vector<Case>& case_table() {
        .figures = {17},
        .start = Start::fig17,
        .tangled = true,
-       .title = "local and barycenter, boundary fixed, from a tangled start",
+       .title = "local and barycenter, from a tangled start",
        .setup = {with_barycenter(local(0.3), 0.3)},
        .lesson = "Not in the paper: the vertices inside are displaced by up to a whole edge. With "
                  "validity it comes to the same minimum as the cure of Fig. 20a."},

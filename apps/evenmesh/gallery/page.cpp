@@ -37,6 +37,9 @@ f is the weighted sum of the costs, shape the inverse mean ratio of cells (1 is 
 the start's, cells that are turned over counting negative. The paper's stop criterion has a number eps that it does not
 give; 1e-5 and, for Fig. 9, 1e-8 come to its numbers of iterations. Of the meshes from Fig. 12 on it shows pictures only:
 ours look like them, so that numbers of iterations do not compare exactly.
+
+Curves of convergence show how far f is above the least value that the run comes to; where a penalty or a multiplier
+changes on the way, what is minimised until then has a least value of its own.
 )";
 
 std::string figure_range(const Plate& plate) {

@@ -28,18 +28,20 @@ bool look_alike(const Mesh& mesh, Points a, Points b) {
   return true;
 }
 
-// The costs of a run while it minimised the function that it ended with: others do not compare.
+// The costs of a run above the least that it comes to. Where constraints change what is minimised,
+// each function has a least value of its own.
 Curve curve_of(const Result& result) {
   const std::vector<Iteration>& history = result.report.history;
-  std::vector<double> costs;
-  int first = 0;
-  for (const Iteration& iteration : history) {
-    if (iteration.function != history.back().function) continue;
-    if (costs.empty()) first = iteration.number;
-    costs.push_back(iteration.cost);
+  Curve curve{std::string(name(result.way)), {}, 0};
+  for (std::size_t i = 0; i < history.size();) {
+    std::vector<double> costs;
+    const int function = history[i].function;
+    for (; i < history.size() && history[i].function == function; ++i) {
+      costs.push_back(history[i].cost);
+    }
+    const Curve part = above_least("", costs);
+    curve.y.insert(curve.y.end(), part.y.begin(), part.y.end());
   }
-  Curve curve = above_least(std::string(name(result.way)), costs);
-  curve.first = first;
   return curve;
 }
 
@@ -80,8 +82,8 @@ std::string convergence_of(const Case& of, const std::vector<Result>& results) {
   ConvergenceOptions options;
   options.title = fmt::format("{}: {}", of.id, of.title);
   options.y_title = "f above its least value";
-  options.width = 480.0;
-  options.height = 320.0;
+  options.width = 560.0;
+  options.height = 340.0;
   if (of.paper_iterations > 0) {
     options.marks.push_back(
         {static_cast<double>(of.paper_iterations), fmt::format("paper {}", of.paper_iterations)});
