@@ -50,7 +50,12 @@ int check_command(const InputArguments& arguments, int threads, const Console& c
 /// Says what is in a file.
 int info_command(const InputArguments& arguments, const Console& console);
 
-/// Smooths the paper's meshes with known optima.
-int demo_command(const Console& console);
+struct DemoArguments {
+  std::vector<std::string> figures;  // "fig13a", "fig13", "all", "list"; none: the known optima
+  std::string folder;                // for pictures; empty: none
+};
+
+/// Repeats figures of the paper, and writes pictures of what comes out; of all of them a page, too.
+int demo_command(const DemoArguments& arguments, const Console& console);
 
 }  // namespace evenmesh::app

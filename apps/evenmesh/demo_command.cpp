@@ -1,96 +1,71 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cmath>
+#include <algorithm>
 
 #include <fmt/core.h>
 
 #include "apps/evenmesh/commands.h"
 #include "apps/evenmesh/exit_code.h"
-#include "evenmesh/solver/smooth.h"
+#include "apps/evenmesh/gallery/page.h"
+#include "apps/evenmesh/gallery/tables.h"
 
 namespace evenmesh::app {
 namespace {
 
-// A mesh of the paper whose best positions are known, and the same mesh disturbed.
-struct Figure {
-  std::string name;
-  std::string what;
-  Mesh disturbed;
-  std::vector<Vec3> optimum;
-  std::vector<char> fixed;
-  int paper_local, paper_global;  // iterations the paper reports
-};
+using gallery::Case;
+using gallery::Exhibit;
+using gallery::Series;
 
-Figure square_of_four_triangles() {
-  Cells cells;
-  for (Index i = 0; i < 4; ++i) {
-    cells.add(CellKind::triangle, std::array<Index, 3>{i, (i + 1) % 4, 4});
+// What the words ask for, each case once, in the order of the gallery.
+std::vector<const Case*> chosen(const std::vector<std::string>& words) {
+  std::vector<const Case*> found;
+  for (const std::string& word : words) {
+    for (const Case* each : gallery::find_cases(word)) found.push_back(each);
   }
-  const std::vector<Vec3> optimum{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}};
-  std::vector<Vec3> start = optimum;
-  start[4] += Vec3(0.32, -0.24, 0);
-  return {"fig5",
-          "a square of four triangles",
-          Mesh(start, std::move(cells)),
-          optimum,
-          {1, 1, 1, 1, 0},
-          5,
-          4};
+  std::sort(found.begin(), found.end());  // they lie in one table
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
-Figure grid_of_quads(std::string name, int n, int paper_local, int paper_global) {
-  Figure figure{std::move(name), fmt::format("{0} x {0} quads", n), {}, {}, {}, paper_local,
-                paper_global};
-  std::vector<Vec3> start;
-  for (int j = 0; j <= n; ++j) {
-    for (int i = 0; i <= n; ++i) {
-      const bool fixed = i == 0 || j == 0 || i == n || j == n;
-      const Vec3 p(static_cast<double>(i) / n, static_cast<double>(j) / n, 0);
-      figure.optimum.push_back(p);
-      figure.fixed.push_back(fixed);
-      // A disturbance without order, the same every time.
-      const Vec3 shift(std::sin(12.9898 * i + 4.1414 * j), std::sin(3.425 * i + 11.135 * j), 0);
-      start.push_back(fixed ? p : Vec3(p + 0.3 / n * shift));
-    }
-  }
-  Cells cells;
-  for (int j = 0; j < n; ++j) {
-    for (int i = 0; i < n; ++i) {
-      const auto at = [&](int a, int b) { return static_cast<Index>((j + b) * (n + 1) + i + a); };
-      cells.add(CellKind::quad, std::array<Index, 4>{at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
-    }
-  }
-  figure.disturbed = Mesh(std::move(start), std::move(cells));
-  return figure;
-}
-
-std::string run(const Figure& figure, const std::string& cost, int paper_iterations) {
-  Mesh mesh = figure.disturbed;
-  const Problem problem =
-      make_problem(mesh, find_orientation(mesh), figure.fixed, {.costs = {{cost, 1.0}}});
-  const Report report = smooth(mesh, problem, {.tolerance = 1e-9});
-  double error = 0.0;
-  for (std::size_t v = 0; v < mesh.point_count(); ++v) {
-    error = std::max(error, (mesh.points()[v] - figure.optimum[v]).norm());
-  }
-  return fmt::format("{:<6} {:<28} {:<8} {:>6} {:>6} {:>11.2e} {:>12.1e} {:>9.4f} -> {:.4f}\n",
-                     figure.name, figure.what, cost, paper_iterations, report.history.back().number,
-                     report.cost_after, error, report.quality_before.of(Metric::shape).worst,
-                     report.quality_after.of(Metric::shape).worst);
+// True for the last of the chosen cases of an exact mesh, after which its random starts follow.
+bool ends_series(const std::vector<const Case*>& all, std::size_t i) {
+  if (!gallery::plate_of(all[i]->start).exact) return false;
+  return i + 1 == all.size() || all[i + 1]->start != all[i]->start;
 }
 
 }  // namespace
 
-int demo_command(const Console& console) {
-  console.say(
-      "Meshes of Kulovec, Kos and Duhovnik (2011) whose best positions are known. 'paper' counts "
-      "the\niterations of its dense method, 'ours' those of conjugate gradients with multigrid.");
-  print(fmt::format("{:<6} {:<28} {:<8} {:>6} {:>6} {:>11} {:>12} {:>9}\n", "figure", "mesh",
-                    "cost", "paper", "ours", "final cost", "error", "worst shape"));
-  for (const Figure& figure : {square_of_four_triangles(), grid_of_quads("fig7", 2, 4, 3),
-                               grid_of_quads("fig9", 6, 30, 30)}) {
-    print(run(figure, "local", figure.paper_local));
-    print(run(figure, "global", figure.paper_global));
+int demo_command(const DemoArguments& arguments, const Console& console) {
+  if (arguments.figures == std::vector<std::string>{"list"}) {
+    print(gallery::as_text(gallery::list_of_cases()));
+    console.say("'demo fig13a' runs one, 'demo fig13' all of a figure, 'demo all' every one");
+    return kDone;
+  }
+  const bool few = arguments.figures.empty();
+  const std::vector<const Case*> all =
+      chosen(few ? std::vector<std::string>{"fig5", "fig7", "fig9"} : arguments.figures);
+  const bool page = all.size() == gallery::cases().size();
+  const std::filesystem::path folder = arguments.folder;
+
+  std::vector<Exhibit> exhibits;
+  std::vector<Series> series;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    exhibits.push_back(gallery::make_exhibit(*all[i]));
+    print(text_of(exhibits.back()));
+    if (!arguments.folder.empty()) {
+      write_pictures(exhibits.back(), page ? folder / "pictures" / "gallery" : folder);
+    }
+    if (!ends_series(all, i)) continue;
+    series.push_back(gallery::make_series(all[i]->start));
+    print(text_of(series.back()));
+  }
+  if (arguments.folder.empty()) {
+    console.say(few ? "'demo list' names the other figures; -o FOLDER writes pictures"
+                    : "-o FOLDER writes pictures of the meshes and of convergence");
+  } else if (page) {
+    gallery::write_text(folder / "gallery.md", gallery_page(exhibits, series));
+    console.say(fmt::format("wrote {}", (folder / "gallery.md").string()));
+  } else {
+    console.say(fmt::format("wrote {} pictures into {}", 2 * exhibits.size(), arguments.folder));
   }
   return kDone;
 }

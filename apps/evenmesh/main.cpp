@@ -95,6 +95,7 @@ int wrong_usage(const std::string& what) {
 int run(int argc, char** argv) {
   SmoothArguments smooth;
   InputArguments inspected;
+  DemoArguments shown;
   CommonArguments common;
   smooth.command = command_line(argc, argv);
 
@@ -110,7 +111,10 @@ int run(int argc, char** argv) {
   add_input(*check, inspected, true);
   CLI::App* info = app.add_subcommand("info", "say what is in a mesh file");
   add_input(*info, inspected, true);
-  CLI::App* demo = app.add_subcommand("demo", "smooth the paper's meshes with known optima");
+  CLI::App* demo = app.add_subcommand("demo", "repeat figures of the paper, and write pictures");
+  demo->add_option("figures", shown.figures, "fig5 ... fig31, all, or list; none: fig5 fig7 fig9");
+  demo->add_option("-o,--output", shown.folder, "a folder for pictures; none: no files")
+      ->type_name("FOLDER");
   for (CLI::App* verb : {check, info, demo}) add_common(*verb, common);
 
   try {
@@ -134,7 +138,7 @@ int run(int argc, char** argv) {
                                    : Verbosity::normal);
   if (*check) return check_command(inspected, common.threads, console);
   if (*info) return info_command(inspected, console);
-  if (*demo) return demo_command(console);
+  if (*demo) return demo_command(shown, console);
   if (smooth.input.path.empty()) {
     fmt::print(stderr, "evenmesh: no mesh file given\nTry: evenmesh part.obj -o even.obj\n");
     return kBadUsage;

@@ -81,7 +81,7 @@ TEST_F(Usage, VerbsTakeNoOptionsWithoutMeaning) {
   expect_failure(kUsage, {"check", "in.obj", "-o", "out.obj"}, "-o");
   expect_failure(kUsage, {"-o", "out.obj", "check", "in.obj"}, "'--output' before check");
   expect_failure(kUsage, {"check", "in.obj", "other.obj"}, "other.obj");
-  expect_failure(kUsage, {"demo", "fig5"}, "fig5");
+  expect_failure(kUsage, {"demo", "fig5", "--fix", "boundary"}, "--fix");
 }
 
 TEST_F(Usage, InputThatIsNoFileIsNamed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// --help, --version, check, info and demo.
+// --help, --version, check and info.
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -93,19 +93,6 @@ TEST(Info, PrintsCountsThatAreRight) {
         "components      1\n", "boundary        0 edges, 0 vertices\n",
         "features        24 edges, 20 vertices\n", "corners         8 vertices\n"}) {
     EXPECT_NE(outcome.out.find(line), std::string::npos) << line << outcome.out;
-  }
-}
-
-TEST(Demo, FindsTheKnownOptimaOfThreeFiguresWithTwoCosts) {
-  const Outcome outcome = run({"demo"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const std::vector<std::string> table = lines(outcome.out);
-  ASSERT_EQ(table.size(), 7u) << outcome.out;
-  const std::size_t error_ends = table[0].find("error") + 5;
-  for (std::size_t row = 1; row < table.size(); ++row) {
-    const std::size_t begin = table[row].rfind(' ', error_ends - 1);
-    EXPECT_LT(std::stod(table[row].substr(begin, error_ends - begin)), 1e-6) << table[row];
-    EXPECT_NE(table[row].find("-> "), std::string::npos);
   }
 }
 

@@ -337,6 +337,22 @@ TEST(QuadraticProgram, RepeatedAndScaledRowsAreNoContradiction) {
   }
 }
 
+TEST(QuadraticProgram, NearlyParallelRowsAreMetAlike) {
+  // All within 1e-6 of one direction: a single projection loses half of the digits.
+  Random random(5500);
+  Dense p = random_program(random, 25, 20, 0);
+  p.curvature = MatrixXd::Identity(25, 25);
+  const VectorXd common = random_vector(random, 25);
+  p.jacobian = common.transpose().replicate(20, 1) + 1e-6 * random_matrix(random, 20, 25);
+  p.constraint = -p.jacobian * random_vector(random, 25);
+  const QuadraticSolution s = p.solve();
+  ASSERT_TRUE(s.feasible);
+  EXPECT_EQ(s.active.size(), 20u);
+  EXPECT_LE((p.constraint + p.jacobian * s.step).norm(), 1e-13);
+  const VectorXd gradient = s.step + p.gradient;
+  EXPECT_LE((gradient - p.jacobian.transpose() * s.multipliers).norm(), 1e-8);
+}
+
 TEST(QuadraticProgram, ManyConstraintsMeetInOneVertex) {
   // A cone with 40 sides in 3 dimensions whose tip is the solution.
   for (std::uint64_t seed = 0; seed < 50; ++seed) {

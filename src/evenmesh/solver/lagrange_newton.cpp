@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -28,7 +29,6 @@ namespace {
 using Eigen::Index;
 
 constexpr double kSlope = 0.1;             // of the predicted fall that a step must reach
-constexpr int kMostTrials = 60;            // each shortens the step to 0.56 of its length or less
 constexpr double kResolution = 1e-14;      // of the penalty, relative, in which rounding hides
 constexpr double kCurvatureNoise = 1e-14;  // of y^T s, relative to |y| |s|: no sign to rely on
 constexpr double kWeightGrowth = 10.0;
@@ -80,6 +80,7 @@ class LagrangeNewton {
   QuadraticSolution model_;
   bool elastic_ = false;
   double growth_ = 1.0;  // of the weights of elastic constraints
+  double last_eta_ = std::numeric_limits<double>::infinity();
   int evaluations_ = 0;
   LagrangeNewtonResult result_;
 };
@@ -88,7 +89,8 @@ LagrangeNewton::LagrangeNewton(NonlinearProgram& program, const VectorXd& start,
                                const LagrangeNewtonOptions& options)
     : program_(program),
       options_(options),
-      root_(Eigen::MatrixXd::Identity(program.unknowns(), program.unknowns())) {
+      root_(Eigen::MatrixXd::Identity(program.unknowns(), program.unknowns()) /
+            std::sqrt(options.curvature)) {
   evaluate(start);
   const Eigen::Map<const VectorXd> entries(at_.jacobian.valuePtr(), at_.jacobian.nonZeros());
   if (!std::isfinite(at_.cost) || !at_.gradient.allFinite() || !at_.c.allFinite() ||
@@ -190,12 +192,14 @@ double LagrangeNewton::predicted_change(double slope) const {
   return change;
 }
 
-/// The step length alpha for which the penalty function falls enough, by (7) and (8).
+/// The step length alpha for which the penalty function falls enough, by (7) and (8). Nothing if
+/// it would be so short that the fall is less than rounding.
 std::optional<double> LagrangeNewton::search(double predicted, double resolution) {
   const double start = penalty();
   double alpha = std::min(1.0, program_.largest_step(at_.y, model_.step));
   VectorXd c = at_.c;
-  for (int trial = 0; trial < kMostTrials && alpha > 0.0; ++trial) {
+  double slack = resolution;  // the first trial may lower violations alone, near the solution
+  while (alpha > 0.0 && (slack > 0.0 || -alpha * predicted > resolution)) {
     const VectorXd y = at_.y + alpha * model_.step;
     double value = program_.cost(y, nullptr);
     ++evaluations_;
@@ -203,9 +207,11 @@ std::optional<double> LagrangeNewton::search(double predicted, double resolution
     value += weighted_violation(c);
     if (!std::isfinite(value) || !c.allFinite()) {
       alpha *= 0.1;
+      slack = 0.0;
       continue;
     }
-    if (value <= start + kSlope * alpha * predicted + resolution) return alpha;
+    if (value <= start + kSlope * alpha * predicted + slack) return alpha;
+    slack = 0.0;
     const double beta = -predicted * alpha * alpha / (2.0 * (value - start - predicted * alpha));
     alpha = std::min(0.9 * alpha, std::max(beta, 0.1 * alpha));
   }
@@ -256,8 +262,7 @@ std::optional<Stop> LagrangeNewton::iterate() {
   const double slope = model_.step.dot(at_.gradient);
   const double predicted = predicted_change(slope);
   const double resolution = kResolution * (std::abs(at_.cost) + weighted_violation(at_.c));
-  std::optional<double> alpha;
-  if (predicted < -resolution) alpha = search(predicted, resolution);
+  const std::optional<double> alpha = search(predicted, resolution);
 
   LagrangeNewtonIteration entry;
   entry.elastic = elastic_;
@@ -273,9 +278,13 @@ std::optional<Stop> LagrangeNewton::iterate() {
   entry.eta = measure(alpha.value_or(1.0), slope);
   record(entry);
 
+  // The last step is one, too.
+  const bool go_on = !options_.progress || options_.progress(result_.history.back());
   if (entry.eta.sum() < options_.epsilon) return Stop::converged;
-  if (options_.progress && !options_.progress(result_.history.back())) return Stop::interrupted;
-  const bool stuck = !alpha || (elastic_ && entry.eta.model < options_.epsilon);
+  if (!go_on) return Stop::interrupted;
+  const bool lost = -predicted <= resolution && entry.eta.sum() > 0.5 * last_eta_;
+  const bool stuck = !alpha || lost || (elastic_ && entry.eta.model < options_.epsilon);
+  last_eta_ = entry.eta.sum();
   if (stuck && !grow_elastic_weight()) return Stop::no_descent;
   return std::nullopt;
 }
@@ -306,6 +315,9 @@ void check(const LagrangeNewtonOptions& options) {
     throw InvalidOption("epsilon must be positive and finite");
   }
   if (options.max_iterations < 0) throw InvalidOption("max_iterations must not be negative");
+  if (!(options.curvature > 0.0 && std::isfinite(options.curvature))) {
+    throw InvalidOption("curvature must be positive and finite");
+  }
   if (!(options.elastic_weight >= 1.0 && std::isfinite(options.elastic_weight))) {
     throw InvalidOption("elastic_weight must be at least 1 and finite");
   }

@@ -62,6 +62,7 @@ struct LagrangeNewtonIteration {
 struct LagrangeNewtonOptions {
   double epsilon = 1e-6;     // stop when eta < epsilon, absolute; > 0
   int max_iterations = 200;  // >= 0
+  double curvature = 1.0;    // of the cost, to begin with: W = curvature I; > 0
   /// Where linearised constraints contradict each other, breaking one costs this many times what
   /// the multiplier of a constraint on its own would be, about; >= 1. Grows if that was too little.
   double elastic_weight = 10.0;
@@ -80,10 +81,10 @@ struct LagrangeNewtonResult {
 /// The Lagrange-Newton method (sequential quadratic programming) with dense curvature.
 ///
 /// Each step solves the quadratic program (3) with W, an approximation of the second derivatives of
-/// L(x, lambda) = f - lambda^T c that starts as the identity; goes along its solution h as far as
-/// the exact L1 penalty function (4), weights (5), falls enough (soft line search (7), (8)); and
-/// updates W by BFGS (11), unless curvature along the step is not positive: then W is kept.
-/// Ends by (12).
+/// L(x, lambda) = f - lambda^T c that starts as the identity (or a multiple of it); goes along its
+/// solution h as far as the exact L1 penalty function (4), weights (5), falls enough (soft line
+/// search (7), (8)); and updates W by BFGS (11), unless curvature along the step is not positive:
+/// then W is kept. Ends by (12).
 ///
 /// Beyond the paper: if the linearised constraints contradict each other, the step minimises the
 /// quadratic model plus the violations that remain, weighted (see QuadraticProgram), and (7) takes
