@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Every OBJ and STL of the corpus, from file to file: no worse, or refused with a reason.
-#include "tests/support/corpus.h"
-
 #include <algorithm>
 #include <filesystem>
 
@@ -14,13 +12,14 @@
 #include "tests/cli/process.h"
 #include "tests/cli/promise.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/places.h"
 
 namespace evenmesh {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using testing::corpus;
+using testing::corpus_dir;
 using testing::Outcome;
 using testing::read_bytes;
 using testing::run;
@@ -34,7 +33,7 @@ constexpr std::uintmax_t kLargest = 100'000'000;
 
 std::vector<fs::path> corpus_files() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(corpus())) {
+  for (const auto& entry : fs::recursive_directory_iterator(corpus_dir())) {
     std::string suffix = entry.path().extension().string();
     std::ranges::transform(suffix, suffix.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -107,7 +106,7 @@ void expect_clean_run(const fs::path& path) {
 }
 
 TEST(Corpus, ComesOutNoWorseOrIsRefusedWithAReason) {
-  if (!fs::is_directory(corpus())) GTEST_SKIP() << "there is no corpus at " << corpus();
+  if (!fs::is_directory(corpus_dir())) GTEST_SKIP() << "there is no corpus at " << corpus_dir();
   for (const fs::path& path : corpus_files()) expect_clean_run(path);
 }
 

@@ -12,6 +12,7 @@
 #include "tests/cli/process.h"
 #include "tests/cli/promise.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/places.h"
 
 namespace evenmesh {
 namespace {
@@ -23,7 +24,7 @@ using testing::read_bytes;
 using testing::run;
 using testing::TemporaryFolder;
 
-const fs::path kData = EVENMESH_DATA_DIR;
+const fs::path kData = testing::data_dir();
 
 class Files : public ::testing::Test {
  protected:

@@ -13,14 +13,14 @@
 #include "evenmesh/mesh/topology.h"
 #include "tests/cli/process.h"
 #include "tests/io/temporary_folder.h"
-#include "tests/support/corpus.h"
+#include "tests/support/places.h"
 
 namespace evenmesh {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using testing::corpus;
+using testing::corpus_dir;
 using testing::Outcome;
 using testing::read_bytes;
 using testing::run;
@@ -36,7 +36,7 @@ void PrintTo(const Surface& surface, std::ostream* out) { *out << surface.file; 
 class OfTheCorpus : public ::testing::TestWithParam<Surface> {};
 
 TEST_P(OfTheCorpus, KeepsFeaturesAndShapeAndGetsBetter) {
-  const fs::path in = corpus() / GetParam().file;
+  const fs::path in = corpus_dir() / GetParam().file;
   if (!fs::exists(in)) GTEST_SKIP() << in << " is not there";
   const TemporaryFolder folder;
   const fs::path out = folder.path() / "out.obj";

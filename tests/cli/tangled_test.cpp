@@ -16,14 +16,14 @@
 #include "tests/cli/process.h"
 #include "tests/cli/promise.h"
 #include "tests/io/temporary_folder.h"
-#include "tests/support/corpus.h"
+#include "tests/support/places.h"
 
 namespace evenmesh {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using testing::corpus;
+using testing::corpus_dir;
 using testing::Outcome;
 using testing::read_bytes;
 using testing::run;
@@ -47,8 +47,8 @@ const std::set<std::string> kUntangle = {"mfem__rt-2d-q3.mesh",  "tutorials__pri
 std::vector<fs::path> tangled_files() {
   std::vector<fs::path> files;
   for (const char* folder : {"tangled", "tangled_derived"}) {
-    if (!fs::is_directory(corpus() / folder)) continue;
-    for (const auto& entry : fs::directory_iterator(corpus() / folder)) {
+    if (!fs::is_directory(corpus_dir() / folder)) continue;
+    for (const auto& entry : fs::directory_iterator(corpus_dir() / folder)) {
       if (entry.is_regular_file() && entry.file_size() <= kLargest) files.push_back(entry.path());
     }
   }
@@ -58,9 +58,9 @@ std::vector<fs::path> tangled_files() {
 
 // False if it is refused, as volume meshes are.
 bool convert(const fs::path& from, const fs::path& to) {
-  const std::string command = "python3 \"" + std::string(EVENMESH_TOOLS_DIR) +
-                              "/corpus_to_obj.py\" \"" + from.string() + "\" \"" + to.string() +
-                              "\" 2>/dev/null";
+  const std::string command = "python3 \"" + testing::source_dir().string() +
+                              "/tools/corpus_to_obj.py\" \"" + from.string() + "\" \"" +
+                              to.string() + "\" 2>/dev/null";
   return std::system(command.c_str()) == 0;
 }
 
@@ -118,7 +118,7 @@ void expect_untangled_or_reasons(const fs::path& in, const std::string& name) {
 }
 
 TEST(Tangled, ComeOutUntangledOrWithTheCellsThatAreNotAndWhy) {
-  if (tangled_files().empty()) GTEST_SKIP() << "there are no tangled meshes at " << corpus();
+  if (tangled_files().empty()) GTEST_SKIP() << "there are no tangled meshes at " << corpus_dir();
   if (std::system("python3 -c '' 2>/dev/null") != 0) GTEST_SKIP() << "there is no python3";
   const TemporaryFolder folder;
   std::size_t converted = 0;

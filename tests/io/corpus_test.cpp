@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Every OBJ and STL of the corpus: read or refused as it should be, and patched without a trace.
-#include "tests/support/corpus.h"
-
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -15,12 +13,13 @@
 #include "evenmesh/io/mesh_file.h"
 #include "tests/io/only_coordinates.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/places.h"
 
 namespace evenmesh {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::corpus;
+using testing::corpus_dir;
 using testing::difference_beside_coordinates;
 using testing::read_bytes;
 using testing::written;
@@ -35,9 +34,9 @@ bool is_obj_or_stl(const fs::path& path) {
 
 std::vector<fs::path> corpus_files(bool readable_formats) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(corpus())) {
+  for (const auto& entry : fs::recursive_directory_iterator(corpus_dir())) {
     if (entry.is_regular_file() && is_obj_or_stl(entry.path()) == readable_formats) {
-      files.push_back(fs::relative(entry.path(), corpus()));
+      files.push_back(fs::relative(entry.path(), corpus_dir()));
     }
   }
   std::sort(files.begin(), files.end());
@@ -184,12 +183,12 @@ void expect_same_mesh(const Mesh& a, const Cells& cells, Points points, const st
 class Corpus : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::is_directory(corpus())) GTEST_SKIP() << "there is no corpus at " << corpus();
+    if (!fs::is_directory(corpus_dir())) GTEST_SKIP() << "there is no corpus at " << corpus_dir();
   }
 };
 
 TEST_F(Corpus, HostileAndMalformedFilesComeOutAsTheyShould) {
-  for (const auto& [name, outcome] : kOutcomes) expect_outcome(corpus() / name, outcome);
+  for (const auto& [name, outcome] : kOutcomes) expect_outcome(corpus_dir() / name, outcome);
 }
 
 TEST_F(Corpus, EveryHostileAndMalformedFileHasAnOutcome) {
@@ -203,7 +202,7 @@ TEST_F(Corpus, EveryHostileAndMalformedFileHasAnOutcome) {
 TEST_F(Corpus, OtherFormatsAreRefusedWithTheListOfThoseThatAreRead) {
   for (const fs::path& path : corpus_files(false)) {
     try {
-      read_mesh(corpus() / path);
+      read_mesh(corpus_dir() / path);
       ADD_FAILURE() << path << " was read";
     } catch (const IoError& error) {
       EXPECT_NE(std::string(error.what()).find("OBJ and STL"), std::string::npos) << error.what();
@@ -214,15 +213,15 @@ TEST_F(Corpus, OtherFormatsAreRefusedWithTheListOfThoseThatAreRead) {
 TEST_F(Corpus, UnmovedFilesAreWrittenByteForByte) {
   for (const fs::path& path : corpus_files(true)) {
     if (is_refused(path.string())) continue;
-    const MeshFile file = read_mesh(corpus() / path);
-    EXPECT_TRUE(written(file, file.mesh.points()) == read_bytes(corpus() / path)) << path;
+    const MeshFile file = read_mesh(corpus_dir() / path);
+    EXPECT_TRUE(written(file, file.mesh.points()) == read_bytes(corpus_dir() / path)) << path;
   }
 }
 
 TEST_F(Corpus, OnlyCoordinatesOfMovedVerticesChange) {
   for (const fs::path& path : corpus_files(true)) {
     if (is_refused(path.string())) continue;
-    const std::string before = read_bytes(corpus() / path);
+    const std::string before = read_bytes(corpus_dir() / path);
     const auto input = InputFile::borrow(before, path.string());
     const MeshFile file = read_mesh(input);
     const std::vector<Vec3> points = moved_points(file.mesh);

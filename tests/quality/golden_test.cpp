@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "evenmesh/quality/metric.h"
+#include "tests/support/places.h"
 
 namespace evenmesh {
 namespace {
@@ -30,7 +31,7 @@ CellKind kind_named(const std::string& word) {
 }
 
 std::vector<GoldenCell> golden_cells() {
-  std::ifstream file(EVENMESH_QUALITY_GOLDEN);
+  std::ifstream file(testing::source_dir() / "tests/quality/golden.json");
   std::vector<GoldenCell> result;
   const auto golden = nlohmann::json::parse(file);
   for (const auto& cell : golden["cells"]) {

@@ -11,6 +11,7 @@
 #include "evenmesh/report/run_record.h"
 #include "evenmesh/solver/smooth.h"
 #include "tests/report/schema.h"
+#include "tests/support/places.h"
 #include "tests/support/shapes.h"
 
 namespace evenmesh {
@@ -21,7 +22,8 @@ using testing::schema_violations;
 using Lines = std::vector<std::string>;
 
 const json& schema() {
-  static const json kSchema = json::parse(std::ifstream(EVENMESH_REPORT_SCHEMA));
+  static const json kSchema =
+      json::parse(std::ifstream(testing::source_dir() / "docs/report.schema.json"));
   return kSchema;
 }
 
