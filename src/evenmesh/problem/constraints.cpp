@@ -24,7 +24,8 @@ void append(Summaries& lines, const Summaries& more) {
   lines.insert(lines.end(), more.begin(), more.end());
 }
 
-void check_selection(const Scene& scene, const std::string& text, const std::vector<char>& flags) {
+void check_selection([[maybe_unused]] const Scene& scene, const std::string& text,
+                     const std::vector<char>& flags) {
   assert(flags.size() == scene.points.size());
   if (count(flags) == 0) fail(text, "it selects no vertex of this mesh");
 }

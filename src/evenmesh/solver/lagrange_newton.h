@@ -50,7 +50,7 @@ struct LagrangeNewtonIteration {
   double cost = 0.0;     // f(x)
   double penalty = 0.0;  // pi(x, mu), the exact L1 penalty function (4), mu as in this step
   double violation = 0.0;  // greatest |c_i| of equations and |min(0, c_i)| of inequalities
-  StopMeasure eta;
+  StopMeasure eta = {};
   double alpha = 0.0;        // step length
   double largest = 0.0;      // |alpha h|_inf
   std::size_t active = 0;    // members of the active set, equations included
