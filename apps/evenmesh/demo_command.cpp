@@ -52,20 +52,20 @@ int demo_command(const DemoArguments& arguments, const Console& console) {
     exhibits.push_back(gallery::make_exhibit(*all[i]));
     print(text_of(exhibits.back()));
     if (!arguments.folder.empty()) {
-      write_pictures(exhibits.back(), page ? folder / "pictures" / "gallery" : folder);
+      write_files(exhibits.back(), page ? folder / "pictures" / "gallery" : folder);
     }
     if (!ends_series(all, i)) continue;
     series.push_back(gallery::make_series(all[i]->start));
     print(text_of(series.back()));
   }
   if (arguments.folder.empty()) {
-    console.say(few ? "'demo list' names the other figures; -o FOLDER writes pictures"
-                    : "-o FOLDER writes pictures of the meshes and of convergence");
+    console.say(few ? "'demo list' names the other figures; -o FOLDER writes meshes and pictures"
+                    : "-o FOLDER writes the start meshes, pictures of them and of convergence");
   } else if (page) {
     gallery::write_text(folder / "gallery.md", gallery_page(exhibits, series));
     console.say(fmt::format("wrote {}", (folder / "gallery.md").string()));
   } else {
-    console.say(fmt::format("wrote {} pictures into {}", 2 * exhibits.size(), arguments.folder));
+    console.say(fmt::format("wrote meshes and pictures into {}", arguments.folder));
   }
   return kDone;
 }

@@ -36,8 +36,12 @@ TEST(Demo, ListNamesEveryFigureAndSaysWhichMeshesAreLookAlikes) {
   }
   std::istringstream in(outcome.out);
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("fig13a")) EXPECT_NE(line.find("(look-alike)"), std::string::npos);
-    if (line.starts_with("fig5b")) EXPECT_EQ(line.find("(look-alike)"), std::string::npos);
+    if (line.starts_with("fig13a")) {
+      EXPECT_NE(line.find("(look-alike)"), std::string::npos);
+    }
+    if (line.starts_with("fig5b")) {
+      EXPECT_EQ(line.find("(look-alike)"), std::string::npos);
+    }
   }
 }
 

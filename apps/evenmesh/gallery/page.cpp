@@ -93,6 +93,23 @@ std::string in_markdown(const Exhibit& exhibit) {
       as_markdown(table_of(of, exhibit.results)), figure_of(of), of.id, figure_of(of), of.id);
 }
 
+// The mesh a case starts from, by its name in the folder of pictures.
+std::string mesh_file_of(const Case& of) {
+  return of.tangled ? fmt::format("{}.obj", of.id)
+                    : fmt::format("fig{}.obj", plate_of(of.start).first_figure);
+}
+
+std::string as_obj(const Mesh& mesh) {
+  std::string text;
+  for (const Vec3& p : mesh.points()) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
+    text += 'f';
+    for (const Index v : mesh.cells().vertices(c)) text += fmt::format(" {}", v + 1);
+    text += '\n';
+  }
+  return text;
+}
+
 // Lines of at most a hundred characters, broken between words.
 std::string wrapped(const std::string& text) {
   constexpr std::size_t kWidth = 100;
@@ -149,7 +166,9 @@ std::string gallery_page(const std::vector<Exhibit>& exhibits, const std::vector
   std::string page(kPreface);
   auto next = series.begin();
   for (const Plate& plate : plates()) {
-    page += fmt::format("\n## {}: {}\n\n{}\n", figure_range(plate), plate.title, mesh_words(plate));
+    page += fmt::format("\n## {}: {}\n\n{} As a file: [fig{}.obj](pictures/gallery/fig{}.obj).\n",
+                        figure_range(plate), plate.title, mesh_words(plate), plate.first_figure,
+                        plate.first_figure);
     if (plate.exact) {
       page += fmt::format("\n{}\n\n{}", starts_words(),
                           as_markdown(starts_table(next->of, next->medians)));
@@ -162,8 +181,9 @@ std::string gallery_page(const std::vector<Exhibit>& exhibits, const std::vector
   return page;
 }
 
-void write_pictures(const Exhibit& exhibit, const std::filesystem::path& folder) {
+void write_files(const Exhibit& exhibit, const std::filesystem::path& folder) {
   const std::string id(exhibit.of->id);
+  write_text(folder / mesh_file_of(*exhibit.of), as_obj(start_mesh(*exhibit.of)));
   write_text(folder / (id + ".svg"), picture_of(*exhibit.of, exhibit.results));
   write_text(folder / (id + "_convergence.svg"), convergence_of(*exhibit.of, exhibit.results));
 }

@@ -34,10 +34,10 @@ std::string text_of(const Series& series);
 /// @param series    of all exact plates, in the order of plates()
 std::string gallery_page(const std::vector<Exhibit>& exhibits, const std::vector<Series>& series);
 
-/// Writes the pictures of a case into a folder, which it makes if it is not there: ID.svg and
-/// ID_convergence.svg.
+/// Writes what there is of a case into a folder, which it makes if it is not there: ID.svg,
+/// ID_convergence.svg, and the start mesh, named by the figure that shows it, as OBJ.
 /// @throws IoError  that is not possible
-void write_pictures(const Exhibit& exhibit, const std::filesystem::path& folder);
+void write_files(const Exhibit& exhibit, const std::filesystem::path& folder);
 
 /// Writes a file and the folder it lies in.
 /// @throws IoError  that is not possible

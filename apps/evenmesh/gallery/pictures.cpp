@@ -65,6 +65,7 @@ std::string picture_of(const Case& of, const std::vector<Result>& results) {
       panels[alike].title += fmt::format(" = {}", name(result.way));
     }
   }
+  if (panels.size() == 2 && results.size() > 2) panels[1].title = "all ways alike";
   MeshPictureOptions options;
   options.title = fmt::format("{}: {}", of.id, of.title);
   options.panel_width = 300.0;

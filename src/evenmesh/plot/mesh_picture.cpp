@@ -31,6 +31,7 @@ constexpr double kFoot = 30.0;
 constexpr double kNote = 20.0;
 constexpr double kLegend = 66.0;
 constexpr double kFont = 13.0;
+constexpr double kLetter = 10.0;  // width of one in a title
 constexpr double kTallest = 1.5;  // height of a panel, in its widths
 constexpr double kLowest = 0.15;
 constexpr std::size_t kMostMarks = 3000;
@@ -112,7 +113,7 @@ class Picture {
     for (const Panel& panel : panels) {
       assert(panel.points.size() == mesh_.point_count());
       Scene scene;
-      scene.title = shortened(panel.title, 48);
+      scene.title = panel.title;
       scene.quality = measure_cells(workers, mesh_, panel.points, orientation_);
       scene.summary = summarize(workers, scene.quality);
       for (const Vec3& p : panel.points) {
@@ -270,8 +271,8 @@ class Picture {
         "<clipPath id=\"panel\"><rect x=\"-1\" y=\"-1\" width=\"{}\" height=\"{}\"/></clipPath>\n",
         svg_number(window_.width + 2.0), svg_number(window_.height + 2.0)));
     if (!options_.title.empty()) {
-      svg.text({width / 2.0, 26.0}, shortened(options_.title, static_cast<std::size_t>(width / 10)),
-               kBold);
+      svg.text({width / 2.0, 26.0},
+               shortened(options_.title, static_cast<std::size_t>(width / kLetter)), kBold);
     }
     for (std::size_t i = 0; i < scenes_.size(); ++i) draw_panel(svg, i, head);
     if (!left_out.empty()) svg.text({width / 2.0, foot - 8.0}, left_out, kCentred);
@@ -282,7 +283,9 @@ class Picture {
   void draw_panel(Svg& svg, std::size_t i, double head) const {
     const Scene& scene = scenes_[i];
     const double middle = left(i) + window_.width / 2.0;
-    svg.text({middle, head - 12.0}, scene.title, kBold);
+    const double letters = (window_.width + kGap) / kLetter;
+    svg.text({middle, head - 12.0}, shortened(scene.title, static_cast<std::size_t>(letters)),
+             kBold);
     svg.open(fmt::format("transform=\"translate({} {})\" clip-path=\"url(#panel)\"",
                          svg_number(left(i)), svg_number(head)));
     if (faces_.polygons.empty()) {

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kOfFirstFlip = 0.95;  // part of the way to it that a step may go
 constexpr double kShortestStep = 1e-6;
+constexpr double kLeastFall = 1e-12;  // part of the cost below which a change is rounding
 
 int directions(Motion::Freedom freedom) { return static_cast<int>(freedom); }
 static_assert(static_cast<int>(Motion::Freedom::fixed) == 0 &&
@@ -315,10 +316,9 @@ void descend_densely(Workers& workers, Objective& objective, const Flips* flips,
   }
   LagrangeNewtonOptions method;
   method.max_iterations = options.max_iterations;
-  method.epsilon = options.eta > 0.0
-                       ? options.eta
-                       : std::max(options.tolerance * options.tolerance * std::max(cost, 0.0),
-                                  std::numeric_limits<double>::min());
+  method.epsilon = options.eta > 0.0 ? options.eta
+                                     : std::max(options.tolerance * options.tolerance, kLeastFall) *
+                                           std::max(cost, std::numeric_limits<double>::min());
   method.progress = [&](const LagrangeNewtonIteration& step) { return follower.go_on(step); };
   const LagrangeNewtonResult result =
       lagrange_newton(program, Eigen::VectorXd::Zero(program.unknowns()), method);

@@ -22,7 +22,8 @@ struct Options {
   /// than this times the mean length of its edges in the input. In (0, 1).
   double tolerance = 1e-6;
   /// dense: stop when eta of the paper's Eq. (12) is below this, in the unit of the costs. 0: below
-  /// tolerance^2 times the cost at the start, which asks for about as much as tolerance does. >= 0.
+  /// tolerance^2 (at least 1e-12) times the cost at the start, which asks for about as much as
+  /// tolerance does. >= 0.
   double eta = 0.0;
   int max_iterations = 200;         // >= 0
   double time_limit_seconds = 0.0;  // wall-clock for the iterations; 0: none
