@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "evenmesh/mesh/topology.h"
 #include "evenmesh/solver/smooth.h"
 
 namespace evenmesh::gallery {
@@ -89,6 +90,23 @@ TEST(TangledStarts, ComeToTheMinimumOfTheValidOne) {
               result_of(the("fig20a"), Way::cured_dense).cost, 1e-5);
   EXPECT_NEAR(result_of(the("fig17t"), Way::evenmesh).cost,
               result_of(the("fig20a"), Way::cured_evenmesh).cost, 1e-5);
+}
+
+TEST(TangledStarts, AreUntangledWhereverVerticesWere) {
+  const Case& tangled_case = the("fig12t");
+  const Mesh mesh = start_mesh(the("fig15a"));
+  const std::vector<char> boundary = find_topology(mesh, find_orientation(mesh)).boundary;
+  for (const double size : {0.25, 0.4}) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const Mesh start = tangled(mesh, boundary, size, seed);
+      for (const Way way : {Way::dense, Way::evenmesh}) {
+        const Result result = run(tangled_case, way, start);
+        EXPECT_GT(result.report.quality_before.inverted, 20u);
+        EXPECT_EQ(result.inverted(), 0u) << size << ", seed " << seed << ", " << name(way);
+        EXPECT_NEAR(result.cost, result_of(the("fig15a"), way).cost, 1e-6);
+      }
+    }
+  }
 }
 
 // What the lessons say.

@@ -142,9 +142,7 @@ const std::vector<Case>& case_table() {
        .lesson =
            "Not in the paper: the vertices inside are displaced by up to a whole edge. Without "
            "validity the method stops in a folded minimum; with it, it untangles and comes to "
-           "the same minimum as Fig. 15a. Not from every tangled start: where linearised "
-           "demands contradict each other, the dense method may get stuck; the smooth penalty "
-           "of the scalable solver does not depend on them."},
+           "the same minimum as Fig. 15a."},
 
       {.id = "fig18a",
        .figures = {18, 19},

@@ -104,17 +104,21 @@ class MeshProgram final : public NonlinearProgram {
     limit_steps();
   }
 
+  /// Lets demands be part of the cost, as the lagrangian has it, instead of constraints.
+  void penalise(bool on) { is_penalised_ = on; }
+
   Eigen::Index unknowns() const override { return static_cast<Eigen::Index>(steps_.size()); }
-  Eigen::Index equations() const override { return equations_; }
+  Eigen::Index equations() const override { return is_penalised_ ? 0 : equations_; }
   Eigen::Index inequalities() const override {
-    return static_cast<Eigen::Index>(is_equation_.size()) - equations_;
+    return is_penalised_ ? 0 : static_cast<Eigen::Index>(is_equation_.size()) - equations_;
   }
 
   double cost(const Eigen::VectorXd& y, Eigen::VectorXd* gradient) const override {
     move_to(y);
-    if (gradient == nullptr) return objective_.cost(workers_, trial_);
-    std::vector<Vec3> g(trial_.size());
-    const double value = objective_.cost(workers_, trial_, g);
+    std::vector<Vec3> g(gradient == nullptr ? 0 : trial_.size());
+    const double value = is_penalised_ ? objective_.evaluate(workers_, trial_, g)
+                                       : objective_.cost(workers_, trial_, g);
+    if (gradient == nullptr) return value;
     objective_.motion().reduce(workers_, trial_places_, g);
     gradient->resize(unknowns());
     for (std::size_t i = 0; i < steps_.size(); ++i) {
@@ -240,6 +244,7 @@ class MeshProgram final : public NonlinearProgram {
   Eigen::Index equations_ = 0;
   std::size_t inverted_ = 0;
   bool is_limited_ = false;
+  bool is_penalised_ = false;
   double max_move_ = 0.0;
 };
 
@@ -253,47 +258,118 @@ void check_memory(const MeshProgram& program) {
       bytes / 1e9, unknowns, program.rows(), kMostDenseBytes / 1e9));
 }
 
-// Follows the method from outside: reports, and passes on who wants to stop.
-class Follower {
+// The method from outside: its phases, the report, and who wants to stop.
+class DenseDescent {
  public:
-  Follower(const MeshProgram& program, const Options& options, Points x, Report& report,
-           const std::function<bool(Points)>& observe)
-      : program_(program), options_(options), x_(x), report_(report), observe_(observe) {}
+  DenseDescent(Workers& workers, Objective& objective, const Flips* flips, const Options& options,
+               std::vector<Vec3>& x, Report& report, const std::function<bool(Points)>& observe)
+      : workers_(workers),
+        objective_(objective),
+        lagrangian_(*objective.lagrangian()),
+        options_(options),
+        x_(x),
+        report_(report),
+        observe_(observe),
+        program_(workers, objective, flips, x) {}
 
-  bool go_on(const LagrangeNewtonIteration& step) {
+  void run() {
+    check_memory(program_);
+    report_.solver = SolverKind::dense;
+    report_.stop = Stop::no_descent;
+    const double cost = objective_.cost(workers_, x_);
+    if (!std::isfinite(cost)) return;
+    method_.epsilon = options_.eta > 0.0
+                          ? options_.eta
+                          : std::max(options_.tolerance * options_.tolerance, kLeastFall) *
+                                std::max(cost, std::numeric_limits<double>::min());
+    method_.progress = [this](const LagrangeNewtonIteration& step) { return record(step); };
+    if (!record({.cost = cost, .evaluations = 1})) return;
+    while (lagrangian_.mode() == Lagrangian::Mode::exact_penalty) {
+      if (!untangle()) return;
+    }
+    const LagrangeNewtonResult result = minimise(options_.max_iterations);
+    if (program_.rows() > 0) {
+      lagrangian_.set_multipliers(program_.in_order_of_rows(result.multipliers));
+    }
+  }
+
+ private:
+  // A stage of the smoothed penalty, until demands are met. Where cells are inverted, linearised
+  // demands contradict each other, and the penalty (4) has minima of its own in which the method
+  // would be caught; smoothed, wide first, it has fewer.
+  // Returns false if someone wants to stop.
+  bool untangle() {
+    program_.penalise(true);
+    is_untangling_ = true;
+    minimise(kMostStepsInStage);
+    program_.penalise(false);
+    is_untangling_ = false;
+    lagrangian_.advance(workers_, x_, kMostStepsInStage, true);
+    return !is_told_to_stop_ && steps() < options_.max_iterations;
+  }
+
+  LagrangeNewtonResult minimise(int most) {
+    evaluations_before_ = report_.history.back().evaluations;
+    first_eta_ = 0.0;
+    method_.max_iterations = std::min(most, options_.max_iterations - steps());
+    LagrangeNewtonResult result =
+        lagrange_newton(program_, Eigen::VectorXd::Zero(program_.unknowns()), method_);
+    if (!is_told_to_stop_) report_.stop = result.stop;
+    if (steps() == options_.max_iterations && report_.stop != Stop::converged &&
+        !is_told_to_stop_) {
+      report_.stop = Stop::iteration_limit;
+    }
+    ++function_;
+    return result;
+  }
+
+  int steps() const { return report_.history.back().number; }
+
+  // False if the method is to stop here.
+  bool record(const LagrangeNewtonIteration& step) {
     if (step.number == 1) first_eta_ = step.eta.sum();
-    report_.history.push_back({.number = step.number,
+    const double relative = first_eta_ > 0.0          ? std::sqrt(step.eta.sum() / first_eta_)
+                            : report_.history.empty() ? 1.0
+                                                      : 0.0;
+    report_.history.push_back({.number = static_cast<int>(report_.history.size()),
                                .cost = step.cost,
-                               .gradient = relative(step.eta.sum()),
-                               .plain_gradient = relative(step.eta.sum()),
+                               .gradient = relative,
+                               .plain_gradient = relative,
                                .step = step.alpha,
                                .max_move = step.number > 0 ? program_.max_move() : 0.0,
                                .limited = 0,
                                .inverted = program_.inverted(),
-                               .function = 0,
-                               .evaluations = step.evaluations,
+                               .function = function_,
+                               .evaluations = evaluations_before_ + step.evaluations,
                                .seconds = timer_.seconds(),
                                .eta = step.eta});
-    if (observe_ && !observe_(x_)) return false;
-    if (options_.progress && !options_.progress(report_.history.back())) return false;
-    is_late_ = options_.time_limit_seconds > 0.0 && timer_.seconds() >= options_.time_limit_seconds;
-    return !is_late_;
-  }
-  bool is_late() const { return is_late_; }
-
- private:
-  double relative(double eta) const {
-    return first_eta_ > 0.0 ? std::sqrt(eta / first_eta_) : (report_.history.empty() ? 1.0 : 0.0);
+    const bool late =
+        options_.time_limit_seconds > 0.0 && timer_.seconds() >= options_.time_limit_seconds;
+    const bool interrupted = (observe_ && !observe_(x_)) ||
+                             (options_.progress && !options_.progress(report_.history.back()));
+    is_told_to_stop_ = late || interrupted;
+    if (is_told_to_stop_) report_.stop = interrupted ? Stop::interrupted : Stop::time_limit;
+    if (is_untangling_ && lagrangian_.violation(workers_, x_).cells == 0) return false;
+    return !is_told_to_stop_;
   }
 
-  const MeshProgram& program_;
+  static constexpr int kMostStepsInStage = 30;
+
+  Workers& workers_;
+  Objective& objective_;
+  Lagrangian& lagrangian_;
   const Options& options_;
-  Points x_;
+  std::vector<Vec3>& x_;
   Report& report_;
   const std::function<bool(Points)>& observe_;
+  MeshProgram program_;
+  LagrangeNewtonOptions method_;
   Timer timer_;
   double first_eta_ = 0.0;
-  bool is_late_ = false;
+  int function_ = 0;  // counts what was minimised
+  int evaluations_before_ = 0;
+  bool is_untangling_ = false;
+  bool is_told_to_stop_ = false;
 };
 
 }  // namespace
@@ -301,31 +377,7 @@ class Follower {
 void descend_densely(Workers& workers, Objective& objective, const Flips* flips,
                      const Options& options, std::vector<Vec3>& x, Report& report,
                      const std::function<bool(Points x)>& observe) {
-  MeshProgram program(workers, objective, flips, x);
-  check_memory(program);
-  report.solver = SolverKind::dense;
-  Follower follower(program, options, x, report, observe);
-  const double cost = objective.cost(workers, x);
-  if (!std::isfinite(cost)) {
-    report.stop = Stop::no_descent;
-    return;
-  }
-  if (!follower.go_on({.cost = cost, .evaluations = 1})) {
-    report.stop = follower.is_late() ? Stop::time_limit : Stop::interrupted;
-    return;
-  }
-  LagrangeNewtonOptions method;
-  method.max_iterations = options.max_iterations;
-  method.epsilon = options.eta > 0.0 ? options.eta
-                                     : std::max(options.tolerance * options.tolerance, kLeastFall) *
-                                           std::max(cost, std::numeric_limits<double>::min());
-  method.progress = [&](const LagrangeNewtonIteration& step) { return follower.go_on(step); };
-  const LagrangeNewtonResult result =
-      lagrange_newton(program, Eigen::VectorXd::Zero(program.unknowns()), method);
-  report.stop = follower.is_late() ? Stop::time_limit : result.stop;
-  if (program.rows() > 0) {
-    objective.lagrangian()->set_multipliers(program.in_order_of_rows(result.multipliers));
-  }
+  DenseDescent(workers, objective, flips, options, x, report, observe).run();
 }
 
 }  // namespace evenmesh

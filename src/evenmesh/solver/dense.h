@@ -25,7 +25,9 @@ inline constexpr double kMostDenseBytes = 1024.0 * 1024.0 * 1024.0;
 /// times stiffer or softer than those of the paper's costs (2), the one that makes them alike: the
 /// identity that curvature starts from is then as good a guess as there.
 ///
-/// While no cell is inverted, steps end at .95 of where the first cell would turn over.
+/// While no cell is inverted, steps end at .95 of where the first cell would turn over. If demands
+/// on cells are not met at the start, the lagrangian's smoothed penalty is minimised first, in its
+/// stages and in the same way but without constraints, until they are.
 ///
 /// Fills in the report's stop, history and solver, and leaves the multipliers with the objective's
 /// lagrangian.
