@@ -51,16 +51,6 @@ std::vector<Index> all_vertices(const Mesh& mesh) {
 
 }  // namespace
 
-double mean_area(const Mesh& mesh) {
-  double sum = 0.0;
-  for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
-    const auto v = mesh.cells().vertices(c);
-    const Points x = mesh.points();
-    sum += area({x[v[0]].head<2>(), x[v[1]].head<2>(), x[v[2]].head<2>()});
-  }
-  return sum / static_cast<double>(mesh.cells().size());
-}
-
 AreaLimits::AreaLimits(const Mesh& mesh, double least, Rim rim)
     : mesh_(mesh),
       least_(least),

@@ -14,9 +14,6 @@ namespace evenmesh::bench {
 /// What boundary vertices may do.
 enum class Rim { fixed, on_circle };
 
-/// The sum of the signed areas of planar triangles over their number.
-double mean_area(const Mesh& mesh);
-
 /// Least cost with no triangle too small, as a general nonlinear program: what evenmesh's answers
 /// to constrained problems are checked against. Shares no code with its solvers and costs.
 ///

@@ -25,6 +25,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/area_limits.h"
+#include "bench/support/case.h"
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/timer.h"
 #include "tests/support/shapes.h"
