@@ -100,7 +100,7 @@ const std::map<std::string, Outcome> kOutcomes{
     {"hostile/line_continuation.obj", {25, 32, ""}},
     {"hostile/long_line.obj", {25, 32, ""}},
     {"hex/dealii__grid_in_gmsh_01.3da.msh", refused("a Gmsh mesh of version 1")},
-    {"hostile/msh_bad_section.msh", refused(":13: element 2 uses node 33, which the file")},
+    {"hostile/msh_bad_section.msh", refused(":14: element 2 uses node 33, which the file")},
     {"hostile/nan_coord.obj", refused(":8: 'nan' is not a finite number")},
     {"hostile/nan_coord_bin.stl",
      refused("facet 3 (byte 184) has a coordinate that is not a finite")},
