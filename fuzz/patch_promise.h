@@ -69,7 +69,8 @@ inline void check_promise(Format format, std::string_view bytes, const ReadOptio
   const MeshFile again = read_as(format, InputFile::borrow(text, "again"), {});
   // Corners of an STL may fall together; they are then fewer, which write_mesh() refuses.
   if (again.mesh.point_count() != wanted.size()) {
-    demand(format != Format::obj && again.mesh.point_count() < wanted.size());
+    demand(format != Format::obj && format != Format::msh &&
+           again.mesh.point_count() < wanted.size());
     return;
   }
   demand(std::ranges::equal(again.mesh.cells().corners(), file.mesh.cells().corners()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every OBJ and STL of the corpus: read or refused as it should be, and patched without a trace.
+// Every OBJ, STL and MSH of the corpus: read or refused as it should be, and patched without a
+// trace.
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -24,18 +25,18 @@ using testing::difference_beside_coordinates;
 using testing::read_bytes;
 using testing::written;
 
-bool is_obj_or_stl(const fs::path& path) {
+bool has_known_suffix(const fs::path& path) {
   std::string suffix = path.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   });
-  return suffix == ".obj" || suffix == ".stl";
+  return suffix == ".obj" || suffix == ".stl" || suffix == ".msh";
 }
 
 std::vector<fs::path> corpus_files(bool readable_formats) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(corpus_dir())) {
-    if (entry.is_regular_file() && is_obj_or_stl(entry.path()) == readable_formats) {
+    if (entry.is_regular_file() && has_known_suffix(entry.path()) == readable_formats) {
       files.push_back(fs::relative(entry.path(), corpus_dir()));
     }
   }
@@ -98,6 +99,8 @@ const std::map<std::string, Outcome> kOutcomes{
     {"hostile/latin1_names.obj", {25, 32, ""}},
     {"hostile/line_continuation.obj", {25, 32, ""}},
     {"hostile/long_line.obj", {25, 32, ""}},
+    {"hex/dealii__grid_in_gmsh_01.3da.msh", refused("a Gmsh mesh of version 1")},
+    {"hostile/msh_bad_section.msh", refused(":14: element 2 uses node 33, which the file")},
     {"hostile/nan_coord.obj", refused(":8: 'nan' is not a finite number")},
     {"hostile/nan_coord_bin.stl",
      refused("facet 3 (byte 184) has a coordinate that is not a finite")},
@@ -205,7 +208,9 @@ TEST_F(Corpus, OtherFormatsAreRefusedWithTheListOfThoseThatAreRead) {
       read_mesh(corpus_dir() / path);
       ADD_FAILURE() << path << " was read";
     } catch (const IoError& error) {
-      EXPECT_NE(std::string(error.what()).find("OBJ and STL"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("evenmesh reads OBJ, STL and Gmsh MSH"),
+                std::string::npos)
+          << error.what();
     }
   }
 }

@@ -44,7 +44,7 @@ TEST(ReadMesh, FindsTheFormatByContentWhateverTheSuffix) {
 TEST(ReadMesh, RefusesOtherFormatsAndSaysWhichAreRead) {
   const TemporaryFolder folder;
   const std::pair<const char*, std::string_view> files[] = {
-      {"a.msh", "$MeshFormat\n4.1 0 8\n"},
+      {"a.msh", "$NOD\n1\n1 0 0 0\n"},
       {"a.obj", "ply\nformat ascii 1.0\n"},
       {"a.vtk", "# vtk DataFile Version 3.0\n"},
       {"a.inp", "*HEADING\n"},
@@ -53,7 +53,7 @@ TEST(ReadMesh, RefusesOtherFormatsAndSaysWhichAreRead) {
       {"a.bdf", "CEND\nBEGIN BULK\n"}};
   for (const auto& [name, content] : files) {
     const std::string message = refusal(folder.write(name, content));
-    EXPECT_TRUE(contains(message, "OBJ and STL")) << message;
+    EXPECT_TRUE(contains(message, "OBJ, STL and Gmsh MSH")) << message;
     EXPECT_TRUE(contains(message, name)) << message;
   }
 }

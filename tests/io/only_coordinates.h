@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "evenmesh/io/mesh_file.h"
 
@@ -123,6 +124,52 @@ inline std::string compare_stl_binary(const MeshFile& file, Points points, std::
   return "";
 }
 
+/// The text up to and with the end of its line.
+inline std::string_view take_line(std::string_view& text) {
+  const std::size_t end = text.find('\n');
+  const std::string_view line = text.substr(0, end == text.npos ? end : end + 1);
+  text.remove_prefix(line.size());
+  return line;
+}
+
+inline std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (Piece piece = take_piece(line); !piece.word.empty(); piece = take_piece(line)) {
+    words.push_back(piece.word);
+  }
+  return words;
+}
+
+/// Text only. Coordinates are the last three of four numbers in $Nodes of version 2, and three that
+/// stand alone in that of version 4.1; in 4.0 four numbers are a block's beginning or a node.
+inline std::string compare_msh(const MeshFile& file, Points points, std::string_view before,
+                               std::string_view after) {
+  Index vertex = 0;
+  std::string version;
+  bool in_nodes = false;
+  int left_in_block = 0;  // version 4.0
+  while (!before.empty() && !after.empty()) {
+    const std::string_view a = take_line(before);
+    const std::string_view b = take_line(after);
+    const auto words = words_of(a);
+    const auto others = words_of(b);
+    if (version.empty() && words.size() == 3) version = words[0];
+    if (!words.empty() && words[0] == "$Nodes") in_nodes = true;
+    if (!words.empty() && words[0] == "$EndNodes") in_nodes = false;
+    bool node = in_nodes && words.size() == (version == "4.1" ? 3u : 4u);
+    if (node && version.starts_with("4") && version != "4.1" && left_in_block-- == 0) {
+      node = false;
+      left_in_block = std::stoi(std::string(words[3]));
+    }
+    const bool may_differ = node && has_moved(file, points, vertex++);
+    if (a == b) continue;
+    if (!may_differ || words.size() != others.size()) return "'" + std::string(a) + "'";
+    if (words.size() == 4 && words[0] != others[0]) return "a tag";
+  }
+  if (before.size() != after.size()) return "the number of lines";
+  return vertex == points.size() ? "" : "the number of nodes";
+}
+
 }  // namespace internal
 
 inline std::string difference_beside_coordinates(const MeshFile& file, Points points,
@@ -131,6 +178,7 @@ inline std::string difference_beside_coordinates(const MeshFile& file, Points po
   if (file.patch->format() == "stl_ascii") {
     return internal::compare_stl_ascii(file, points, before, after);
   }
+  if (file.patch->format() == "msh") return internal::compare_msh(file, points, before, after);
   return internal::compare_stl_binary(file, points, before, after);
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "evenmesh/io/msh.h"
 #include "evenmesh/io/obj.h"
 #include "evenmesh/io/stl_ascii.h"
 #include "evenmesh/io/stl_binary.h"
@@ -19,7 +20,7 @@ namespace {
 /// So much of a file is looked at to see whether it is text, and to find its first words.
 constexpr std::size_t kLookAt = 4096;
 
-constexpr std::string_view kReads = "evenmesh reads OBJ and STL (ASCII and binary) today";
+constexpr std::string_view kReads = "evenmesh reads OBJ, STL and Gmsh MSH today";
 
 /// How a file of a format begins that is known but not read. Case does not matter.
 struct Signature {
@@ -27,9 +28,8 @@ struct Signature {
   std::string_view what;
 };
 constexpr std::array kSignatures{
-    Signature{"$meshformat", "a Gmsh mesh (.msh)"},
-    Signature{"$comments", "a Gmsh mesh (.msh)"},
-    Signature{"$nod\n", "a Gmsh mesh (.msh, version 1)"},
+    Signature{"$nod\n", "a Gmsh mesh of version 1; save it with 'gmsh -save -format msh41'"},
+    Signature{"$nod\r", "a Gmsh mesh of version 1; save it with 'gmsh -save -format msh41'"},
     Signature{"# vtk datafile", "a legacy VTK file (.vtk)"},
     Signature{"<?xml", "an XML file, perhaps VTK (.vtu, .vtp)"},
     Signature{"<vtkfile", "a VTK file (.vtu, .vtp)"},
@@ -134,6 +134,11 @@ bool looks_like_ascii_stl(std::string_view text) {
   return word.empty() || begins("facet", word) || begins("endsolid", word) || begins("solid", word);
 }
 
+bool looks_like_msh(std::string_view begin) {
+  const std::string_view word = Words(begin).next();
+  return word == "$MeshFormat" || word == "$Comments";
+}
+
 /// The first statement that is no comment is one of OBJ's.
 bool looks_like_obj(std::string_view text) {
   Words words(text);
@@ -163,6 +168,7 @@ Format find_format(const InputFile& input) {
   if (begin.starts_with("\xEF\xBB\xBF")) begin.remove_prefix(3);
   const bool text = is_text(begin);
   if (text && looks_like_ascii_stl(begin)) return Format::stl_ascii;
+  if (looks_like_msh(begin)) return Format::msh;
   if (has_binary_stl_size(bytes)) return Format::stl_binary;
 
   for (const Signature& known : kSignatures) {
@@ -196,6 +202,8 @@ MeshFile read_as(Format format, std::shared_ptr<const InputFile> input,
       return read_obj(std::move(input));
     case Format::stl_ascii:
       return read_stl_ascii(std::move(input), options);
+    case Format::msh:
+      return read_msh(std::move(input));
     case Format::stl_binary:
       break;
   }

@@ -9,7 +9,7 @@
 
 namespace evenmesh {
 
-enum class Format : std::uint8_t { obj, stl_ascii, stl_binary };
+enum class Format : std::uint8_t { obj, stl_ascii, stl_binary, msh };
 
 /// The format of a file, from its content; the suffix of its name decides only where the content
 /// leaves it open.

@@ -21,7 +21,18 @@ bool same_cells(const Cells& a, const Cells& b) {
 
 Format format_of(const FilePatch& patch) {
   if (patch.format() == "obj") return Format::obj;
+  if (patch.format() == "msh") return Format::msh;
   return patch.format() == "stl_ascii" ? Format::stl_ascii : Format::stl_binary;
+}
+
+std::string_view suffix_of(Format format) {
+  if (format == Format::obj) return ".obj";
+  return format == Format::msh ? ".msh" : ".stl";
+}
+
+std::string_view name_of(Format format) {
+  if (format == Format::obj) return "an OBJ file";
+  return format == Format::msh ? "a Gmsh file" : "an STL file";
 }
 
 /// Files are patched, not converted: the suffix of the output must not promise another format.
@@ -30,11 +41,11 @@ void check_suffix(const std::filesystem::path& path, Format format) {
   std::ranges::transform(suffix, suffix.begin(), [](char c) {
     return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
   });
-  const bool is_obj = format == Format::obj;
-  if (suffix != (is_obj ? ".stl" : ".obj")) return;
-  throw IoError(fmt::format("{}: the input is {} and evenmesh does not convert; name the output {}",
-                            path.string(), is_obj ? "an OBJ file" : "an STL file",
-                            is_obj ? "*.obj" : "*.stl"));
+  const std::string_view own = suffix_of(format);
+  if (suffix == own || (suffix != ".obj" && suffix != ".stl" && suffix != ".msh")) return;
+  throw IoError(
+      fmt::format("{}: the input is {} and evenmesh does not convert; name the output *{}",
+                  path.string(), name_of(format), own));
 }
 
 Mesh read_back(const MeshFile& file, const std::filesystem::path& temporary,

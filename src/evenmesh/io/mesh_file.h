@@ -21,7 +21,7 @@ class FilePatch {
  public:
   virtual ~FilePatch() = default;
 
-  /// "obj", "stl_ascii", "stl_binary".
+  /// "obj", "stl_ascii", "stl_binary", "msh".
   virtual std::string_view format() const = 0;
 
   /// The positions that a reader of the output would see: those of the input, bit for bit, where a

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "evenmesh/io/msh_content.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include <fmt/core.h>
+
+namespace evenmesh {
+namespace {
+
+/// The names of all groups may be so many times longer than the file. No honest file comes near.
+constexpr std::size_t kNameRatio = 32;
+
+/// Tags up to so many times their number are looked up in a table, larger ones in a sorted list.
+constexpr std::uint64_t kTableRatio = 4;
+
+constexpr std::uint32_t kPoint = 15;
+constexpr std::uint32_t kLine = 1;
+
+std::string_view high_order_name(std::int64_t type) {
+  constexpr std::string_view kNames[] = {
+      "3-node line", "6-node triangle", "9-node quad",     "10-node tet",
+      "27-node hex", "18-node wedge",   "14-node pyramid", "",
+      "8-node quad", "20-node hex",     "15-node wedge",   "13-node pyramid"};
+  constexpr std::int64_t kFirst = 8;
+  const bool known = type >= kFirst && type < kFirst + static_cast<std::int64_t>(std::size(kNames));
+  return known ? kNames[type - kFirst] : std::string_view();
+}
+
+std::optional<MshElementType> linear_type(std::int64_t type) {
+  switch (type) {
+    case kLine:
+      return MshElementType{.dimension = 1, .nodes = 2};
+    case 2:
+      return MshElementType{CellKind::triangle, 2, 3};
+    case 3:
+      return MshElementType{CellKind::quad, 2, 4};
+    case 4:
+      return MshElementType{CellKind::tet, 3, 4};
+    case 5:
+      return MshElementType{CellKind::hex, 3, 8};
+    case 6:
+      return MshElementType{CellKind::wedge, 3, 6};
+    case 7:
+      return MshElementType{CellKind::pyramid, 3, 5};
+    case kPoint:
+      return MshElementType{.dimension = 0, .nodes = 1};
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void MshNodes::add(std::uint64_t tag, const Vec3& position, std::uint64_t offset) {
+  points.push_back(position);
+  tags.push_back(tag);
+  offsets.push_back(offset);
+}
+
+void MshNodes::reserve(std::size_t nodes) {
+  points.reserve(nodes);
+  tags.reserve(nodes);
+  offsets.reserve(nodes);
+}
+
+void MshNodes::finish(const MshScanner& scanner) {
+  finished_ = true;
+  if (tags.empty()) return;
+  if (tags.size() >= std::numeric_limits<Index>::max()) {
+    scanner.input().fail("has more nodes than 32-bit numbers can count");
+  }
+  const auto fail_twice = [&](std::size_t vertex) {
+    scanner.fail(offsets[vertex],
+                 fmt::format("node {} is there twice; number the nodes anew", tags[vertex]));
+  };
+  std::size_t straight = 0;
+  while (straight < tags.size() && tags[straight] == straight + 1) ++straight;
+  if (straight == tags.size()) return;
+
+  const std::uint64_t largest = *std::max_element(tags.begin(), tags.end());
+  if (largest / kTableRatio <= tags.size()) {
+    table_.assign(largest + 1, kNoVertex);
+    for (std::size_t i = 0; i < tags.size(); ++i) {
+      if (table_[tags[i]] != kNoVertex) fail_twice(i);
+      table_[tags[i]] = static_cast<Index>(i);
+    }
+    return;
+  }
+  sorted_.reserve(tags.size());
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    sorted_.emplace_back(tags[i], static_cast<Index>(i));
+  }
+  std::sort(sorted_.begin(), sorted_.end());
+  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  const auto twice = std::adjacent_find(sorted_.begin(), sorted_.end(), same);
+  if (twice != sorted_.end()) fail_twice(twice[1].second);
+}
+
+Index MshNodes::find(std::uint64_t tag) const {
+  if (!table_.empty()) return tag < table_.size() ? table_[tag] : kNoVertex;
+  if (sorted_.empty()) return tag - 1 < tags.size() ? static_cast<Index>(tag - 1) : kNoVertex;
+  const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{tag, Index{0}});
+  return at != sorted_.end() && at->first == tag ? at->second : kNoVertex;
+}
+
+void MshGroups::set_name(int dimension, std::int64_t physical, std::string_view name) {
+  names_[{dimension, physical}] = name;
+}
+
+std::uint32_t MshGroups::number(int dimension, std::span<const std::int64_t> physicals,
+                                std::int64_t entity) {
+  Key key{dimension, physicals.empty() ? entity : 0};
+  for (const std::int64_t tag : physicals) key.push_back(tag < 0 ? -tag : tag);
+  if (key.size() == 2 && entity == 0) return 0;
+  if (key == latest_) return latest_number_;
+  const auto next = static_cast<std::uint32_t>(numbers_.size() + 1);
+  latest_number_ = numbers_.emplace(key, next).first->second;
+  latest_ = std::move(key);
+  return latest_number_;
+}
+
+std::vector<std::string> MshGroups::names(const InputFile& input) const {
+  std::vector<std::string> result(numbers_.size() + 1);
+  std::size_t bytes = 0;
+  for (const auto& [key, number] : numbers_) {
+    std::string& text = result[number];
+    if (key.size() == 2) text = fmt::format("entity {}", key[1]);
+    for (std::size_t i = 2; i < key.size(); ++i) {
+      if (i > 2) text += ", ";
+      const auto named = names_.find({static_cast<int>(key[0]), key[i]});
+      const bool has_name = named != names_.end() && !named->second.empty();
+      text += has_name ? "physical " + named->second : fmt::format("physical {}", key[i]);
+    }
+    bytes += text.size();
+    if (bytes > kNameRatio * input.bytes().size()) {
+      input.fail(
+          "the names of the physical groups are too long for so many combinations of them; "
+          "shorten them");
+    }
+  }
+  return result;
+}
+
+MshElementType msh_element_type(const MshScanner& scanner, const char* place, std::int64_t type,
+                                std::string_view who) {
+  if (const auto known = linear_type(type)) return *known;
+  const std::string_view name = high_order_name(type);
+  if (!name.empty()) {
+    scanner.fail(place, fmt::format("{} is of second order or higher ({}, type {}), which evenmesh "
+                                    "does not read; save the mesh with 'gmsh -order 1'",
+                                    who, name, type));
+  }
+  scanner.fail(place,
+               fmt::format("{} has type {}; evenmesh reads points, lines, triangles, quads, "
+                           "tets, hexes, wedges and pyramids of first order (1 to 7 and 15). "
+                           "Save the mesh with 'gmsh -order 1'",
+                           who, type));
+}
+
+void MshContent::read_corners(MshScanner& scanner, const MshElementType& type, bool wide,
+                              std::uint64_t tag, const char* place, std::uint32_t group) {
+  corners_.clear();
+  for (std::size_t i = 0; i < type.nodes; ++i) {
+    const char* const at = scanner.item();
+    const std::uint64_t node = scanner.tag(wide, "the tag of a node");
+    const Index vertex = nodes.find(node);
+    if (vertex == MshNodes::kNoVertex) {
+      scanner.fail(at,
+                   fmt::format("element {} uses node {}, which the file does not have", tag, node));
+    }
+    corners_.push_back(vertex);
+  }
+  if (!type.makes_cell()) return;
+  cells.add(type.kind, corners_, group);
+  cell_offsets.push_back(scanner.offset(place));
+}
+
+}  // namespace evenmesh

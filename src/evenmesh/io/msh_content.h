@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "evenmesh/base/vec3.h"
+#include "evenmesh/io/msh_scanner.h"
+#include "evenmesh/mesh/mesh.h"
+
+namespace evenmesh {
+
+/// The nodes of a Gmsh file in its order. Their tags may have gaps and come in any order.
+class MshNodes {
+ public:
+  /// @param offset  where the node's coordinates begin in the file
+  void add(std::uint64_t tag, const Vec3& position, std::uint64_t offset);
+  void reserve(std::size_t nodes);
+
+  /// Makes find() ready. To be called once, behind the last node.
+  /// @throws IoError  two nodes have one tag, or there are too many
+  void finish(const MshScanner& scanner);
+
+  /// @return  the vertex with this tag, or kNoVertex
+  Index find(std::uint64_t tag) const;
+  static constexpr Index kNoVertex = ~Index{0};
+
+  bool is_finished() const { return finished_; }
+  /// Whether the tags are 1, 2, 3 ...
+  bool counts_from_one() const { return table_.empty() && sorted_.empty(); }
+
+  std::vector<Vec3> points;
+  std::vector<std::uint64_t> tags;
+  std::vector<std::uint64_t> offsets;
+
+ private:
+  bool finished_ = false;
+  std::vector<Index> table_;  // [tag], where the tags are not much larger than their number
+  std::vector<std::pair<std::uint64_t, Index>> sorted_;  // by tag, where they are
+};
+
+/// The groups of a Gmsh file. A cell is in the combination of physical groups that it or its
+/// entity belongs to, and without one in its entity.
+class MshGroups {
+ public:
+  void set_name(int dimension, std::int64_t physical, std::string_view name);
+
+  /// The number of the group of cells that are in these physical groups and this entity, where 0
+  /// is none. The sign of a physical group's tag, which says how the elements are wound, is no
+  /// part of it.
+  std::uint32_t number(int dimension, std::span<const std::int64_t> physicals, std::int64_t entity);
+
+  /// [number], "physical steel", "physical 7", "entity 5"; entry 0 is "no group".
+  /// @throws IoError  they are far longer together than the file
+  std::vector<std::string> names(const InputFile& input) const;
+
+ private:
+  using Key = std::vector<std::int64_t>;  // dimension, entity or 0, physical groups
+  std::map<std::pair<int, std::int64_t>, std::string> names_;
+  std::map<Key, std::uint32_t> numbers_;
+  Key latest_;
+  std::uint32_t latest_number_ = 0;
+};
+
+/// What is to be known of elements of one type.
+struct MshElementType {
+  CellKind kind = CellKind::triangle;  // where it makes a cell
+  int dimension = 0;
+  std::size_t nodes = 1;
+  bool makes_cell() const { return dimension >= 2; }
+};
+
+/// @param who  what the message speaks of: "element 17"
+/// @throws IoError  the type is not read, for example one of second order
+MshElementType msh_element_type(const MshScanner& scanner, const char* place, std::int64_t type,
+                                std::string_view who);
+
+/// Everything that is taken out of a Gmsh file.
+struct MshContent {
+  MshNodes nodes;
+  MshGroups groups;
+  Cells cells;
+  std::vector<std::uint64_t> cell_offsets;  // where the cell's tag stands in the file
+  std::map<std::pair<int, std::int64_t>, std::vector<std::int64_t>> physicals;  // by entity
+
+  /// Reads the nodes of an element from the place that the scanner is at, and adds its cell if it
+  /// makes one.
+  /// @param place  where its tag stands
+  void read_corners(MshScanner& scanner, const MshElementType& type, bool wide, std::uint64_t tag,
+                    const char* place, std::uint32_t group);
+
+ private:
+  std::vector<Index> corners_;
+};
+
+}  // namespace evenmesh
