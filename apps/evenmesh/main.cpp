@@ -37,7 +37,7 @@ constexpr const char* kExamples = R"(Examples:
   evenmesh grid.obj -o out.obj --cost local=0.3,barycenter=0.3 --fix boundary
 
 Makes the cells of a mesh even by moving its vertices, never its connectivity, and never
-hands back a mesh that is worse. Reads and patches OBJ and STL.
+hands back a mesh that is worse. Reads and patches OBJ, STL and Gmsh MSH.
 )";
 
 constexpr const char* kExitCodes = R"(
