@@ -164,11 +164,12 @@ void Msh4Reader::read_elements() {
   }
   scanner_.end_record();
   scanner_.check_room(left, kLeastElement, "elements");
+  content_.reserve_cells(left);
   for (; blocks > 0; --blocks) {
     const Entity entity = read_entity_of_block();
     const char* const place = scanner_.item();
-    const MshElementType type = msh_element_type(
-        scanner_, place, scanner_.integer("the type of elements"), "a block of elements");
+    const MshElementType type =
+        msh_element_type(scanner_, place, scanner_.integer("the type of elements"), 0);
     const std::uint64_t count = read_block_count(left, "elements");
     read_element_block(entity, type, count);
     left -= count;
