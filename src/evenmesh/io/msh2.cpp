@@ -45,7 +45,7 @@ std::int64_t read_tag_count(MshScanner& scanner) {
 void read_line(MshScanner& scanner, MshContent& content) {
   scanner.start_record();
   const char* const start = scanner.item();
-  const std::uint64_t tag = scanner.tag(kWide, "the number of an element");
+  const std::uint64_t tag = scanner.element_tag(kWide);
   const char* const place = scanner.item();
   const MshElementType type = msh_element_type(scanner, place, scanner.integer("the type"), tag);
   const std::int64_t tags = read_tag_count(scanner);
@@ -62,7 +62,7 @@ std::uint64_t read_block(MshScanner& scanner, std::uint64_t most, MshContent& co
   const char* const count_place = scanner.item();
   const std::int64_t count = scanner.integer("the number of elements of a type");
   const std::int64_t tags = read_tag_count(scanner);
-  const MshElementType type = msh_element_type(scanner, place, type_number, 0);
+  const MshElementType type = msh_element_type(scanner, place, type_number, std::nullopt);
   if (count <= 0 || static_cast<std::uint64_t>(count) > most) {
     scanner.fail(
         count_place,
@@ -72,7 +72,7 @@ std::uint64_t read_block(MshScanner& scanner, std::uint64_t most, MshContent& co
   scanner.check_room(static_cast<std::uint64_t>(count), bytes, "elements");
   for (std::int64_t i = 0; i < count; ++i) {
     const char* const start = scanner.item();
-    const std::uint64_t tag = scanner.tag(kWide, "the number of an element");
+    const std::uint64_t tag = scanner.element_tag(kWide);
     const std::uint32_t group = read_group(scanner, tags, type.dimension, content.groups);
     content.read_corners(scanner, type, kWide, tag, start, group);
   }
@@ -87,7 +87,7 @@ void read_msh2_nodes(MshScanner& scanner, MshContent& content) {
   content.nodes.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     scanner.start_record();
-    const std::uint64_t tag = scanner.tag(kWide, "the number of a node");
+    const std::uint64_t tag = scanner.node_tag(kWide);
     std::uint64_t offset = 0;
     const Vec3 position = scanner.position(tag, offset);
     content.nodes.add(tag, position, offset);

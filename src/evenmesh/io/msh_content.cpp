@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include <fmt/core.h>
 
@@ -156,9 +155,9 @@ std::vector<std::string> MshGroups::names(const InputFile& input) const {
 }
 
 MshElementType msh_element_type(const MshScanner& scanner, const char* place, std::int64_t type,
-                                std::uint64_t tag) {
+                                std::optional<std::uint64_t> tag) {
   if (const auto known = linear_type(type)) return *known;
-  const std::string who = tag == 0 ? "a block of elements" : fmt::format("element {}", tag);
+  const std::string who = tag ? fmt::format("element {}", *tag) : "a block of elements";
   const std::string_view name = high_order_name(type);
   if (!name.empty()) {
     scanner.fail(place, fmt::format("{} is of second order or higher ({}, type {}), which evenmesh "
@@ -183,7 +182,7 @@ void MshContent::read_corners(MshScanner& scanner, const MshElementType& type, b
   corners_.clear();
   for (std::size_t i = 0; i < type.nodes; ++i) {
     const char* const at = scanner.item();
-    const std::uint64_t node = scanner.tag(wide, "the tag of a node");
+    const std::uint64_t node = scanner.node_tag(wide);
     const Index vertex = nodes.find(node);
     if (vertex == MshNodes::kNoVertex) {
       scanner.fail(at,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -77,10 +78,10 @@ struct MshElementType {
   bool makes_cell() const { return dimension >= 2; }
 };
 
-/// @param tag  of the element, for the message; 0: a block of elements
+/// @param tag  of the element, for the message; none: a block of elements
 /// @throws IoError  the type is not read, for example one of second order
 MshElementType msh_element_type(const MshScanner& scanner, const char* place, std::int64_t type,
-                                std::uint64_t tag);
+                                std::optional<std::uint64_t> tag);
 
 /// Everything that is taken out of a Gmsh file.
 struct MshContent {

@@ -195,16 +195,29 @@ double MshScanner::real(std::string_view what) {
   return value;
 }
 
-std::uint64_t MshScanner::tag(bool wide, std::string_view what) {
+void MshScanner::skip_real(std::string_view what) {
   const char* const first = item();
-  const std::uint64_t value =
-      wide ? count(what) : static_cast<std::uint64_t>(std::max<std::int64_t>(integer(what), 0));
-  if (value == 0) {
+  if (binary_) {
+    bytes<std::uint64_t>(what);
+    return;
+  }
+  while (!ends_word(p_, end_)) ++p_;
+  if (p_ == first) fail_missing(what);
+}
+
+std::uint64_t MshScanner::tag(bool wide, std::uint64_t least, std::string_view what) {
+  const char* const first = item();
+  const std::int64_t narrow = wide ? 0 : integer(what);
+  const std::uint64_t value = wide ? count(what) : static_cast<std::uint64_t>(narrow);
+  if (narrow < 0 || value < least) {
     fail(first,
-         fmt::format("{} must be a number above 0; number the mesh anew and export it", what));
+         fmt::format("{} must be at least {}; number the mesh anew and export it", what, least));
   }
   return value;
 }
+
+std::uint64_t MshScanner::element_tag(bool wide) { return tag(wide, 0, "the tag of an element"); }
+std::uint64_t MshScanner::node_tag(bool wide) { return tag(wide, 1, "the tag of a node"); }
 
 Vec3 MshScanner::position(std::uint64_t node, std::uint64_t& place) {
   Vec3 position;
