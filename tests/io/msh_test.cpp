@@ -243,11 +243,21 @@ TEST(Msh, LooksUpTagsFarApart) {
   EXPECT_NE(file.notes[0].find("'id:' counts them"), std::string::npos);
 }
 
+TEST(Msh, TakesElementsThatAreCountedFromZero) {
+  MshModel model = tet_model();
+  model.elements.back().tag = 0;
+  for (const Layout& layout : all_layouts()) {
+    const std::string text = write(layout, model);
+    EXPECT_TRUE(read(text).patch->cell_name(1).starts_with("element 0")) << describe(layout);
+  }
+}
+
 TEST(Msh, PutsACellInTheCombinationOfItsPhysicalGroups) {
   const std::string text =
       "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 8 \"a "
       "\"b\"\"\n$EndPhysicalNames\n"
-      "$Entities\n0 0 3 0\n1 0 0 0 1 1 0 2 -8 9 0\n2 0 0 0 1 1 0 0 0\n3 0 0 0 1 1 0 2 8 9 0\n"
+      "$Entities\n0 0 3 0\n1 0 -1e999 0 1 nan 0 2 -8 9 0\n2 0 0 0 1 1 0 0 0\n3 0 0 0 1 1 0 2 8 9 "
+      "0\n"
       "$EndEntities\n$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n$EndNodes\n"
       "$Elements\n3 3 1 3\n2 1 2 1\n1 1 2 3\n2 2 2 1\n2 1 2 3\n2 3 2 1\n3 1 2 3\n$EndElements\n";
   const MeshFile file = read(text);
@@ -289,11 +299,11 @@ TEST(Msh, RefusesWithTheLineAtFault) {
       {kFormat2 + nodes + "3 0 1 0 5\n$EndNodes\n", "a.msh:8: the line is expected to end before"},
       {kFormat2 + nodes + "3 0 nan 0\n$EndNodes\n", "a.msh:8: 'nan' is not a finite number"},
       {kFormat2 + nodes + "3 0 1,5 0\n$EndNodes\n", "a.msh:8: '1,5' has a decimal comma"},
-      {kFormat2 + nodes + "0 0 1 0\n$EndNodes\n", "a.msh:8: the number of a node must be"},
+      {kFormat2 + nodes + "0 0 1 0\n$EndNodes\n", "a.msh:8: the tag of a node must be at least 1"},
       {kFormat2 + nodes + "2 0 1 0\n$EndNodes\n", "a.msh:8: node 2 is there twice"},
-      {kFormat2 + nodes + "x 0 1 0\n$EndNodes\n", "a.msh:8: the number of a node is expected"},
+      {kFormat2 + nodes + "x 0 1 0\n$EndNodes\n", "a.msh:8: the tag of a node is expected"},
       {kFormat2 + nodes + "3 0 1 0\n4 0 0 0\n$EndNodes\n", "a.msh:9: $EndNodes is expected here"},
-      {kFormat2 + nodes + "$EndNodes\n", "a.msh:8: the number of a node is expected here"},
+      {kFormat2 + nodes + "$EndNodes\n", "a.msh:8: the tag of a node is expected here"},
       {kFormat2 + "$ParametricNodes\n0\n$EndParametricNodes\n",
        "a.msh:4: nodes have parametric coordinates"},
       {kFormat2 + "$Mine\nabc\n", "a.msh:5: $EndMine is missing"},

@@ -2,7 +2,6 @@
 #include "evenmesh/io/msh2.h"
 
 #include <array>
-#include <string>
 
 #include <fmt/core.h>
 
@@ -46,10 +45,9 @@ std::int64_t read_tag_count(MshScanner& scanner) {
 void read_line(MshScanner& scanner, MshContent& content) {
   scanner.start_record();
   const char* const start = scanner.item();
-  const std::uint64_t tag = scanner.tag(kWide, "the number of an element");
+  const std::uint64_t tag = scanner.element_tag(kWide);
   const char* const place = scanner.item();
-  const MshElementType type =
-      msh_element_type(scanner, place, scanner.integer("the type"), fmt::format("element {}", tag));
+  const MshElementType type = msh_element_type(scanner, place, scanner.integer("the type"), tag);
   const std::int64_t tags = read_tag_count(scanner);
   const std::uint32_t group = read_group(scanner, tags, type.dimension, content.groups);
   content.read_corners(scanner, type, kWide, tag, start, group);
@@ -64,7 +62,7 @@ std::uint64_t read_block(MshScanner& scanner, std::uint64_t most, MshContent& co
   const char* const count_place = scanner.item();
   const std::int64_t count = scanner.integer("the number of elements of a type");
   const std::int64_t tags = read_tag_count(scanner);
-  const MshElementType type = msh_element_type(scanner, place, type_number, "a block of elements");
+  const MshElementType type = msh_element_type(scanner, place, type_number, std::nullopt);
   if (count <= 0 || static_cast<std::uint64_t>(count) > most) {
     scanner.fail(
         count_place,
@@ -74,7 +72,7 @@ std::uint64_t read_block(MshScanner& scanner, std::uint64_t most, MshContent& co
   scanner.check_room(static_cast<std::uint64_t>(count), bytes, "elements");
   for (std::int64_t i = 0; i < count; ++i) {
     const char* const start = scanner.item();
-    const std::uint64_t tag = scanner.tag(kWide, "the number of an element");
+    const std::uint64_t tag = scanner.element_tag(kWide);
     const std::uint32_t group = read_group(scanner, tags, type.dimension, content.groups);
     content.read_corners(scanner, type, kWide, tag, start, group);
   }
@@ -89,7 +87,7 @@ void read_msh2_nodes(MshScanner& scanner, MshContent& content) {
   content.nodes.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     scanner.start_record();
-    const std::uint64_t tag = scanner.tag(kWide, "the number of a node");
+    const std::uint64_t tag = scanner.node_tag(kWide);
     std::uint64_t offset = 0;
     const Vec3 position = scanner.position(tag, offset);
     content.nodes.add(tag, position, offset);
@@ -100,6 +98,7 @@ void read_msh2_nodes(MshScanner& scanner, MshContent& content) {
 void read_msh2_elements(MshScanner& scanner, MshContent& content) {
   std::uint64_t left = read_count(scanner, "the number of elements");
   scanner.check_room(left, kLeastElement, "elements");
+  content.reserve_cells(left);
   while (left > 0) {
     if (scanner.is_binary()) {
       left -= read_block(scanner, left, content);

@@ -20,7 +20,7 @@ void Msh4Reader::read_one_entity(int dimension) {
   const int numbers = is_41_ && dimension == 0 ? 3 : 6;
   for (int i = 0; i < numbers; ++i) {
     next();
-    scanner_.real("a coordinate of an entity");
+    scanner_.skip_real("a coordinate of an entity");
   }
   next();
   std::uint64_t count = scanner_.count("the number of an entity's physical groups");
@@ -79,7 +79,7 @@ std::uint64_t Msh4Reader::read_block_count(std::uint64_t most, std::string_view 
 }
 
 void Msh4Reader::read_node_block(std::uint64_t count) {
-  const auto read_tag = [&] { return scanner_.tag(is_41_, "the tag of a node"); };
+  const auto read_tag = [&] { return scanner_.node_tag(is_41_); };
   const auto read_position = [&](std::uint64_t tag) {
     std::uint64_t offset = 0;
     const Vec3 position = scanner_.position(tag, offset);
@@ -148,7 +148,7 @@ void Msh4Reader::read_element_block(const Entity& entity, const MshElementType& 
   for (; count > 0; --count) {
     scanner_.start_record();
     const char* const start = scanner_.item();
-    const std::uint64_t tag = scanner_.tag(is_41_, "the tag of an element");
+    const std::uint64_t tag = scanner_.element_tag(is_41_);
     content_.read_corners(scanner_, type, is_41_, tag, start, group);
     scanner_.end_record();
   }
@@ -164,11 +164,12 @@ void Msh4Reader::read_elements() {
   }
   scanner_.end_record();
   scanner_.check_room(left, kLeastElement, "elements");
+  content_.reserve_cells(left);
   for (; blocks > 0; --blocks) {
     const Entity entity = read_entity_of_block();
     const char* const place = scanner_.item();
-    const MshElementType type = msh_element_type(
-        scanner_, place, scanner_.integer("the type of elements"), "a block of elements");
+    const MshElementType type =
+        msh_element_type(scanner_, place, scanner_.integer("the type of elements"), std::nullopt);
     const std::uint64_t count = read_block_count(left, "elements");
     read_element_block(entity, type, count);
     left -= count;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include <fmt/core.h>
 
@@ -18,6 +17,8 @@ constexpr std::uint64_t kTableRatio = 4;
 
 constexpr std::uint32_t kPoint = 15;
 constexpr std::uint32_t kLine = 1;
+
+std::int64_t without_sign(std::int64_t tag) { return tag < 0 ? -tag : tag; }
 
 std::string_view high_order_name(std::int64_t type) {
   constexpr std::string_view kNames[] = {
@@ -110,12 +111,21 @@ void MshGroups::set_name(int dimension, std::int64_t physical, std::string_view 
   names_[{dimension, physical}] = name;
 }
 
+/// Cells of one group mostly come one after the other, and this makes no key.
+bool MshGroups::is_latest(int dimension, std::span<const std::int64_t> physicals,
+                          std::int64_t entity) const {
+  return latest_.size() == 2 + physicals.size() && latest_[0] == dimension &&
+         latest_[1] == (physicals.empty() ? entity : 0) &&
+         std::equal(physicals.begin(), physicals.end(), latest_.begin() + 2,
+                    [](std::int64_t a, std::int64_t b) { return without_sign(a) == b; });
+}
+
 std::uint32_t MshGroups::number(int dimension, std::span<const std::int64_t> physicals,
                                 std::int64_t entity) {
+  if (physicals.empty() && entity == 0) return 0;
+  if (is_latest(dimension, physicals, entity)) return latest_number_;
   Key key{dimension, physicals.empty() ? entity : 0};
-  for (const std::int64_t tag : physicals) key.push_back(tag < 0 ? -tag : tag);
-  if (key.size() == 2 && entity == 0) return 0;
-  if (key == latest_) return latest_number_;
+  for (const std::int64_t tag : physicals) key.push_back(without_sign(tag));
   const auto next = static_cast<std::uint32_t>(numbers_.size() + 1);
   latest_number_ = numbers_.emplace(key, next).first->second;
   latest_ = std::move(key);
@@ -145,8 +155,9 @@ std::vector<std::string> MshGroups::names(const InputFile& input) const {
 }
 
 MshElementType msh_element_type(const MshScanner& scanner, const char* place, std::int64_t type,
-                                std::string_view who) {
+                                std::optional<std::uint64_t> tag) {
   if (const auto known = linear_type(type)) return *known;
+  const std::string who = tag ? fmt::format("element {}", *tag) : "a block of elements";
   const std::string_view name = high_order_name(type);
   if (!name.empty()) {
     scanner.fail(place, fmt::format("{} is of second order or higher ({}, type {}), which evenmesh "
@@ -154,10 +165,16 @@ MshElementType msh_element_type(const MshScanner& scanner, const char* place, st
                                     who, name, type));
   }
   scanner.fail(place,
-               fmt::format("{} has type {}; evenmesh reads points, lines, triangles, quads, "
-                           "tets, hexes, wedges and pyramids of first order (1 to 7 and 15). "
-                           "Save the mesh with 'gmsh -order 1'",
+               fmt::format("{} has type {}; evenmesh reads points, lines, triangles, quads, tets, "
+                           "hexes, wedges and pyramids of first order (1 to 7 and 15). Save the "
+                           "mesh with 'gmsh -order 1'",
                            who, type));
+}
+
+void MshContent::reserve_cells(std::size_t elements) {
+  constexpr std::size_t kCorners = 4;  // no more than a guess; pages that stay empty cost nothing
+  cells.reserve(elements, kCorners * elements);
+  cell_offsets.reserve(elements);
 }
 
 void MshContent::read_corners(MshScanner& scanner, const MshElementType& type, bool wide,
@@ -165,7 +182,7 @@ void MshContent::read_corners(MshScanner& scanner, const MshElementType& type, b
   corners_.clear();
   for (std::size_t i = 0; i < type.nodes; ++i) {
     const char* const at = scanner.item();
-    const std::uint64_t node = scanner.tag(wide, "the tag of a node");
+    const std::uint64_t node = scanner.node_tag(wide);
     const Index vertex = nodes.find(node);
     if (vertex == MshNodes::kNoVertex) {
       scanner.fail(at,

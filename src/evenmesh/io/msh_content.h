@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -60,6 +61,8 @@ class MshGroups {
   std::vector<std::string> names(const InputFile& input) const;
 
  private:
+  bool is_latest(int dimension, std::span<const std::int64_t> physicals, std::int64_t entity) const;
+
   using Key = std::vector<std::int64_t>;  // dimension, entity or 0, physical groups
   std::map<std::pair<int, std::int64_t>, std::string> names_;
   std::map<Key, std::uint32_t> numbers_;
@@ -75,10 +78,10 @@ struct MshElementType {
   bool makes_cell() const { return dimension >= 2; }
 };
 
-/// @param who  what the message speaks of: "element 17"
+/// @param tag  of the element, for the message; none: a block of elements
 /// @throws IoError  the type is not read, for example one of second order
 MshElementType msh_element_type(const MshScanner& scanner, const char* place, std::int64_t type,
-                                std::string_view who);
+                                std::optional<std::uint64_t> tag);
 
 /// Everything that is taken out of a Gmsh file.
 struct MshContent {
@@ -87,6 +90,9 @@ struct MshContent {
   Cells cells;
   std::vector<std::uint64_t> cell_offsets;  // where the cell's tag stands in the file
   std::map<std::pair<int, std::int64_t>, std::vector<std::int64_t>> physicals;  // by entity
+
+  /// @pre  the file has room for so many elements
+  void reserve_cells(std::size_t elements);
 
   /// Reads the nodes of an element from the place that the scanner is at, and adds its cell if it
   /// makes one.

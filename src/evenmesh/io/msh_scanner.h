@@ -47,8 +47,12 @@ class MshScanner {
   std::int64_t integer(std::string_view what);  // 4 bytes
   std::uint64_t count(std::string_view what);   // 8 bytes
   double real(std::string_view what);           // 8 bytes, finite
-  /// A number above 0. wide: 8 bytes, else 4.
-  std::uint64_t tag(bool wide, std::string_view what);
+  /// The number of an element, which some programs count from 0. wide: 8 bytes, else 4.
+  std::uint64_t element_tag(bool wide);
+  /// The number of a node, above 0.
+  std::uint64_t node_tag(bool wide);
+  /// Passes over a number of 8 bytes that may be anything.
+  void skip_real(std::string_view what);
   /// A whole number that is text in binary files too.
   std::int64_t text_integer(std::string_view what);
   /// The coordinates of a node.
@@ -75,6 +79,7 @@ class MshScanner {
   T bytes(std::string_view what);
   template <typename T>
   T word(std::string_view what);
+  std::uint64_t tag(bool wide, std::uint64_t least, std::string_view what);
   [[noreturn]] void fail_missing(std::string_view what) const;
   std::size_t rest() const { return static_cast<std::size_t>(end_ - p_); }
 
