@@ -282,6 +282,20 @@ TEST(Dense, CanBeInterruptedAndLimited) {
   EXPECT_EQ(smooth(mesh, problem_of(mesh), options).stop, Stop::time_limit);
 }
 
+TEST(Dense, TakesNoStepWhereNoneIsAllowed) {
+  const Mesh start = shapes::quad_grid(6, 1.0, 0.3, 4);
+  const Mesh tangled_start = shapes::quad_grid(6, 1.0, 0.8, 4);
+  for (const Mesh& input : {start, tangled_start}) {
+    Mesh mesh = input;
+    Options options = by(SolverKind::dense);
+    options.max_iterations = 0;
+    const Report report = smooth(mesh, problem_of(mesh), options);
+    EXPECT_EQ(report.stop, Stop::iteration_limit);
+    EXPECT_EQ(report.history.size(), 1u);
+    EXPECT_EQ(copy_of(mesh.points()), copy_of(input.points()));
+  }
+}
+
 TEST(Dense, RefusesMeshesThatTakeTooMuchMemory) {
   Mesh mesh = shapes::quad_grid(100, 1.0, 0.2);
   const std::vector<Vec3> before = copy_of(mesh.points());

@@ -288,7 +288,7 @@ class DenseDescent {
       if (!untangle()) return;
     }
     const LagrangeNewtonResult result = minimise(options_.max_iterations);
-    if (program_.rows() > 0) {
+    if (result.multipliers.size() > 0) {  // there are none before the first step
       lagrangian_.set_multipliers(program_.in_order_of_rows(result.multipliers));
     }
   }
