@@ -206,6 +206,7 @@ class Run {
       console_.progress(iteration, arguments_.tolerance);
       return !interrupted_();
     };
+    options_.interrupted = interrupted_;
     try {
       record_.report = smooth(result_, problem_, options_);
     } catch (const InvalidOption& error) {  // the options are right, so it is about the mesh

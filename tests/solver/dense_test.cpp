@@ -282,6 +282,29 @@ TEST(Dense, CanBeInterruptedAndLimited) {
   EXPECT_EQ(smooth(mesh, problem_of(mesh), options).stop, Stop::time_limit);
 }
 
+// A step whose quadratic program takes many changes of the active set is not waited for.
+TEST(Dense, CanBeStoppedWithinAStep) {
+  const Mesh input = shapes::irregular_triangles(150, 0.3, 1);
+  Problem problem = problem_of(input, only("local"));
+  problem.validity.min_jacobian = 0.8;
+  int asked = 0;
+  Mesh mesh = input;
+  Options options = by(SolverKind::dense);
+  options.interrupted = [&] { return ++asked > 5; };
+  const Report report = smooth(mesh, problem, options);
+  EXPECT_EQ(report.stop, Stop::interrupted);
+  EXPECT_EQ(asked, 6);  // nobody goes on after that
+  EXPECT_LT(report.history.size(), 7u);
+
+  mesh = input;
+  int steps = 0;
+  options.interrupted = {};
+  options.progress = [&](const Iteration&) { return ++steps > 0; };
+  options.time_limit_seconds = 1e-9;
+  EXPECT_EQ(smooth(mesh, problem, options).stop, Stop::time_limit);
+  EXPECT_EQ(steps, 1);
+}
+
 TEST(Dense, TakesNoStepWhereNoneIsAllowed) {
   const Mesh start = shapes::quad_grid(6, 1.0, 0.3, 4);
   const Mesh tangled_start = shapes::quad_grid(6, 1.0, 0.8, 4);

@@ -283,6 +283,7 @@ class DenseDescent {
                           : std::max(options_.tolerance * options_.tolerance, kLeastFall) *
                                 std::max(cost, std::numeric_limits<double>::min());
     method_.progress = [this](const LagrangeNewtonIteration& step) { return record(step); };
+    method_.stop = [this] { return is_told_to_stop_during_a_step(); };
     if (!record({.cost = cost, .evaluations = 1})) return;
     while (lagrangian_.mode() == Lagrangian::Mode::exact_penalty) {
       if (!untangle()) return;
@@ -323,6 +324,18 @@ class DenseDescent {
     return result;
   }
 
+  bool is_late() const {
+    return options_.time_limit_seconds > 0.0 && timer_.seconds() >= options_.time_limit_seconds;
+  }
+
+  bool is_told_to_stop_during_a_step() {
+    const bool interrupted = options_.interrupted && options_.interrupted();
+    if (!interrupted && !is_late()) return false;
+    is_told_to_stop_ = true;
+    report_.stop = interrupted ? Stop::interrupted : Stop::time_limit;
+    return true;
+  }
+
   int steps() const { return report_.history.back().number; }
 
   // False if the method is to stop here.
@@ -343,8 +356,7 @@ class DenseDescent {
                                .evaluations = evaluations_before_ + step.evaluations,
                                .seconds = timer_.seconds(),
                                .eta = step.eta});
-    const bool late =
-        options_.time_limit_seconds > 0.0 && timer_.seconds() >= options_.time_limit_seconds;
+    const bool late = is_late();
     const bool interrupted = (observe_ && !observe_(x_)) ||
                              (options_.progress && !options_.progress(report_.history.back()));
     is_told_to_stop_ = late || interrupted;

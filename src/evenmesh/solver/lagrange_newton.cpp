@@ -63,7 +63,7 @@ class LagrangeNewton {
   void evaluate(const VectorXd& y);
   std::optional<Stop> iterate();
   void record(LagrangeNewtonIteration entry);
-  void solve_quadratic_program();
+  bool solve_quadratic_program();
   VectorXd elastic_weights() const;
   bool grow_elastic_weight();
   void update_weights();
@@ -124,21 +124,26 @@ double LagrangeNewton::weighted_violation(const VectorXd& c) const {
 
 // ---- the quadratic program (3) -----------------------------------------------------------------
 
-void LagrangeNewton::solve_quadratic_program() {
+/// @return  false if told to stop; the model is then the last one
+bool LagrangeNewton::solve_quadratic_program() {
   QuadraticProgram quadratic{root_, at_.gradient, at_.c, at_.jacobian, program_.equations()};
   const QuadraticSolution* guess = model_.step.size() > 0 ? &model_ : nullptr;
   if (!elastic_) {
-    QuadraticSolution solution = solve(quadratic, guess);
+    QuadraticSolution solution = solve(quadratic, guess, options_.stop);
+    if (solution.stopped) return false;
     if (solution.feasible) {
       model_ = std::move(solution);
-      return;
+      return true;
     }
   }
   // If it turns out that nothing is broken, this is the solution of the program without weights.
   const VectorXd weights = elastic_weights();
   quadratic.weights = &weights;
-  model_ = solve(quadratic, guess);
+  QuadraticSolution solution = solve(quadratic, guess, options_.stop);
+  if (solution.stopped) return false;
+  model_ = std::move(solution);
   elastic_ = !model_.feasible;
+  return true;
 }
 
 /// Measured with W^-1, row i alone needs the multiplier (|f'| + distance to c_i = 0) / |J_i|.
@@ -257,7 +262,7 @@ bool LagrangeNewton::update_curvature(double alpha, const Iterate& old) {
 /// One iteration: a step, or finding that there is none.
 /// @return  why to stop, if that is so
 std::optional<Stop> LagrangeNewton::iterate() {
-  solve_quadratic_program();
+  if (!solve_quadratic_program()) return Stop::interrupted;
   update_weights();
   const double slope = model_.step.dot(at_.gradient);
   const double predicted = predicted_change(slope);

@@ -68,6 +68,8 @@ struct LagrangeNewtonOptions {
   double elastic_weight = 10.0;
   /// Called after every step; return false to stop there.
   std::function<bool(const LagrangeNewtonIteration&)> progress = {};
+  /// Asked often during a step, which may take long; return true to stop where it began.
+  std::function<bool()> stop = {};
 };
 
 struct LagrangeNewtonResult {

@@ -100,7 +100,7 @@ class ActiveSet {
 /// not been active yet are held at 0.)
 class DualMethod {
  public:
-  explicit DualMethod(const QuadraticProgram& program);
+  DualMethod(const QuadraticProgram& program, const std::function<bool()>& stop);
 
   void start_from(const QuadraticSolution* guess);
   void run();
@@ -124,8 +124,13 @@ class DualMethod {
   void evaluate();
   Index most_violated() const;
   bool pursue(Index p);
+  bool is_told_to_stop() {
+    stopped_ = stopped_ || (stop_ && stop_());
+    return stopped_;
+  }
 
   const QuadraticProgram& program_;
+  const std::function<bool()>& stop_;
   ActiveSet active_;
   std::vector<char> is_active_;
   VectorXd slope_;  // T (g - J^T lambda) over the constraints that are not active
@@ -137,10 +142,12 @@ class DualMethod {
   double reach_ = 0.0;  // length of steps met so far, for rounding
   int changes_ = 0;
   bool consistent_ = true;
+  bool stopped_ = false;
 };
 
-DualMethod::DualMethod(const QuadraticProgram& program)
+DualMethod::DualMethod(const QuadraticProgram& program, const std::function<bool()>& stop)
     : program_(program),
+      stop_(stop),
       active_(program.gradient.size()),
       is_active_(static_cast<std::size_t>(count()), 0),
       slope_(program.root * program.gradient),
@@ -206,6 +213,7 @@ void DualMethod::start_from(const QuadraticSolution* guess) {
     }
   }
   for (const Index i : first) {
+    if (is_told_to_stop()) return;
     const VectorXd b = transformed_row(i);
     const ActiveSet::Split split = active_.split(b);
     if (split.squared_rest > 0.0) activate(i, b, split);
@@ -218,6 +226,7 @@ void DualMethod::start_from(const QuadraticSolution* guess) {
 void DualMethod::drop_what_is_out_of_bounds() {
   for (;;) {
     minimise_on_active_set();
+    if (is_told_to_stop()) return;
     Index worst = -1;
     double excess = 0.0;
     for (Index k = 0; k < active_.size(); ++k) {
@@ -261,7 +270,7 @@ Index DualMethod::most_violated() const {
 /// Moves the multiplier of p, and those of active constraints with it so that these stay at 0,
 /// until p is at 0 as well or its multiplier at its bound. Constraints whose multipliers reach a
 /// bound on the way are dropped. The dual objective rises, hence no active set comes twice.
-/// @return  false if that has no end: p contradicts the active constraints
+/// @return  false if that has no end: p contradicts the active constraints; or if told to stop
 bool DualMethod::pursue(Index p) {
   const VectorXd b = transformed_row(p);
   const double sign = value_[p] < 0.0 ? 1.0 : -1.0;
@@ -273,7 +282,7 @@ bool DualMethod::pursue(Index p) {
     lambda_[p] = start;
     hold(p, multiplier);
   };
-  for (;;) {
+  while (!is_told_to_stop()) {
     const ActiveSet::Split split = active_.split(b);
     const VectorXd r = -sign * active_.solve(split.along);
     const double to_zero = split.squared_rest > 0.0 ? value / split.squared_rest : kInfinity;
@@ -309,25 +318,30 @@ bool DualMethod::pursue(Index p) {
       return true;
     }
   }
+  return false;
 }
 
 void DualMethod::run() {
   // Each pursuit raises the dual objective: the limit is only for what rounding may do.
   const Index limit = 100 + 20 * (count() + program_.gradient.size());
   for (Index pursuits = 0; pursuits < limit; ++pursuits) {
+    if (is_told_to_stop()) break;
     evaluate();
     const Index p = most_violated();
     if (p < 0) return;
     if (!pursue(p)) break;
     minimise_on_active_set();
   }
+  consistent_ = false;
+  if (stopped_) return;
   minimise_on_active_set();
   evaluate();
-  consistent_ = false;
 }
 
 QuadraticSolution DualMethod::solution() {
   QuadraticSolution s;
+  s.stopped = stopped_;
+  if (stopped_) return s;
   s.feasible = consistent_;
   for (Index i = 0; i < count(); ++i) {
     if (is_active_[static_cast<std::size_t>(i)]) {
@@ -347,14 +361,15 @@ QuadraticSolution DualMethod::solution() {
 
 }  // namespace
 
-QuadraticSolution solve(const QuadraticProgram& program, const QuadraticSolution* guess) {
+QuadraticSolution solve(const QuadraticProgram& program, const QuadraticSolution* guess,
+                        const std::function<bool()>& stop) {
   assert(program.root.rows() == program.gradient.size());
   assert(program.root.cols() == program.gradient.size());
   assert(program.equations <= program.constraint.size());
   assert(program.constraint.size() == 0 || (program.jacobian.rows() == program.constraint.size() &&
                                             program.jacobian.cols() == program.gradient.size()));
   assert(!program.weights || program.weights->size() == program.constraint.size());
-  DualMethod method(program);
+  DualMethod method(program, stop);
   method.start_from(guess);
   method.run();
   return method.solution();

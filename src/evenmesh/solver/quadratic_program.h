@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -43,7 +44,8 @@ struct QuadraticSolution {
   /// Every constraint is met, up to rounding. If not and weights are infinite, the constraints
   /// contradict each other; step and multipliers are where this was found and of no use.
   bool feasible = false;
-  int changes = 0;  // constraints that were added to or dropped from the active set
+  bool stopped = false;  // somebody asked to: nothing else here is of use
+  int changes = 0;       // constraints that were added to or dropped from the active set
 };
 
 /// Solves a quadratic program by the dual active-set method: from the unconstrained minimum, the
@@ -55,9 +57,11 @@ struct QuadraticSolution {
 /// n-vectors as it has members. Deterministic.
 /// @param guess  a solution of a similar program, with the same constraints, to start from: saves
 ///               time if many of the same are active
+/// @param stop   asked before every change of the active set; returns true to end there
 /// @see  Goldfarb and Idnani, A numerically stable dual method for solving strictly convex
 ///       quadratic programs, Mathematical Programming 27, 1983
-QuadraticSolution solve(const QuadraticProgram& program, const QuadraticSolution* guess = nullptr);
+QuadraticSolution solve(const QuadraticProgram& program, const QuadraticSolution* guess = nullptr,
+                        const std::function<bool()>& stop = {});
 
 /// T = L^-1, W = L L^T: lower triangular, with W^-1 = T^T T. O(n^3).
 /// @pre  W is symmetric and positive definite

@@ -37,6 +37,9 @@ struct Options {
   std::function<std::vector<Vec3>(Points)> representable = {};
   /// Called after every iteration from the calling thread; return false to stop there.
   std::function<bool(const Iteration&)> progress = {};
+  /// dense: asked often during an iteration, which may take long; return true to stop where it
+  /// began.
+  std::function<bool()> interrupted = {};
 };
 
 /// @throws InvalidOption  an option is outside its range. For those who want to know before they
