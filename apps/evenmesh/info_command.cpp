@@ -36,6 +36,18 @@ void print_groups(const MeshFile& file) {
   }
 }
 
+void print_sets(const MeshFile& file) {
+  for (const NamedSet& set : file.sets) {
+    std::string_view unit = set.unit;
+    if (set.members == 1) unit = unit == "vertices" ? "vertex" : unit.substr(0, unit.size() - 1);
+    line(set.kind, fmt::format("{}: {} {}", set.name, with_commas(set.members), unit));
+  }
+  if (!file.held.vertices.empty()) {
+    line("held", fmt::format("{}, {}", count_of(file.held.vertices.size(), "vertex", "vertices"),
+                             file.held.why));
+  }
+}
+
 }  // namespace
 
 int info_command(const InputArguments& arguments, const Console& console) {
@@ -48,8 +60,13 @@ int info_command(const InputArguments& arguments, const Console& console) {
   line("format", std::string(input.file.patch->format()));
   line("bytes", with_commas(input.file.bytes));
   line("type", std::string(name(input.orientation.type)));
+  const std::size_t middles = input.file.followers.size();
   line("vertices", fmt::format("{} ({} in no cell)", with_commas(mesh.point_count()),
-                               with_commas(mesh.point_count() - count(topology.used))));
+                               with_commas(mesh.point_count() - count(topology.used) - middles)));
+  if (middles > 0) {
+    line("second order",
+         fmt::format("{} of these are no corners and follow them", with_commas(middles)));
+  }
   line("cells", cell_counts(mesh.cells()));
   if (mesh.point_count() > 0) {
     Vec3 low = mesh.points()[0];
@@ -70,6 +87,7 @@ int info_command(const InputArguments& arguments, const Console& console) {
   print_curve("interface", topology.interface_sides, topology.interface, side);
   line("corners", count_of(count(topology.corners), "vertex", "vertices"));
   print_groups(input.file);
+  print_sets(input.file);
   return kDone;
 }
 

@@ -39,6 +39,19 @@ Input load(const InputArguments& arguments, const Console& console) {
                           cell_counts(mesh.cells())));
   for (const std::string& note : input.file.notes) console.say("note: " + note);
 
+  const Followers& followers = input.file.followers;
+  if (!followers.empty()) {
+    const std::size_t curved = followers.curved(mesh.points());
+    console.say(
+        fmt::format("note: cells of second order are judged by their corners; {} between "
+                    "them move along{}",
+                    count_of(followers.size(), "node", "nodes"),
+                    curved == 0 ? std::string()
+                                : fmt::format(", of which {} off the middle keep{} {} place "
+                                              "relative to it",
+                                              with_commas(curved), curved == 1 ? "s" : "",
+                                              curved == 1 ? "its" : "their")));
+  }
   input.orientation = find_orientation(mesh);
   input.topology =
       find_topology(mesh, input.orientation, {.feature_angle = arguments.feature_angle});

@@ -174,7 +174,12 @@ class Run {
         .mesh = file.mesh,
         .orientation = input_.orientation,
         .topology = input_.topology,
-        .names = {.groups = file.group_names},
+        .names = {.first_id = file.patch->first_vertex_number(),
+                  .ids = file.patch->vertex_numbers(),
+                  .groups = file.group_names,
+                  .sets = file.sets,
+                  .followers = &file.followers},
+        .held = held(),
         .vertex_name = [&file](Index v) { return file.patch->vertex_name(v); },
         .read_mesh = [](const std::string& path) { return read_mesh(path).mesh; },
         .read_text = read_text,
@@ -182,6 +187,21 @@ class Run {
     problem_.orientation = input_.orientation;
     record_.constraints =
         apply(file.mesh, input_.topology, understand(arguments_.constraints, setting), problem_);
+  }
+
+  Selection held() const {
+    const HeldVertices& held = input_.file.held;
+    if (held.vertices.empty()) return {};
+    Selection selection{.text = held.why,
+                        .vertices = std::vector<char>(input_.file.mesh.point_count(), 0)};
+    for (const Index v : held.vertices) selection.vertices[v] = 1;
+    // An edge may not take its middle along.
+    const Followers& followers = input_.file.followers;
+    for (std::size_t i = 0; i < followers.size(); ++i) {
+      if (!selection.vertices[followers.vertex(i)]) continue;
+      for (const Index v : followers.leaders(i)) selection.vertices[v] = 1;
+    }
+    return selection;
   }
 
   // Who did not ask for it should know how far the surface may be left.
@@ -199,9 +219,7 @@ class Run {
 
   void solve() {
     result_ = input_.file.mesh;
-    options_.representable = [this](Points points) {
-      return input_.file.patch->representable(points);
-    };
+    options_.representable = [this](Points points) { return input_.file.representable(points); };
     options_.progress = [this](const Iteration& iteration) {
       console_.progress(iteration, arguments_.tolerance);
       return !interrupted_();
@@ -293,8 +311,11 @@ class Run {
 
   void check_written(const Mesh& written) {
     const Mesh& before = input_.file.mesh;
+    std::vector<char> follows(before.point_count(), 0);
+    const Followers& followers = input_.file.followers;
+    for (std::size_t i = 0; i < followers.size(); ++i) follows[followers.vertex(i)] = 1;
     for (std::size_t v = 0; v < before.point_count(); ++v) {
-      if (!stays(static_cast<Index>(v))) continue;
+      if (follows[v] || !stays(static_cast<Index>(v))) continue;
       // Bit for bit: a zero that loses its sign has changed too.
       if (std::memcmp(&before.points()[v], &written.points()[v], sizeof(Vec3)) == 0) continue;
       throw Refused(fmt::format("{} is fixed but would have moved",

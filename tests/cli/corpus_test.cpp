@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Every OBJ and STL of the corpus, from file to file: no worse, or refused with a reason.
+// Every file of the corpus that may be in a format that is read, from file to file: no worse, or
+// refused with a reason.
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -37,7 +39,10 @@ std::vector<fs::path> corpus_files() {
     std::string suffix = entry.path().extension().string();
     std::ranges::transform(suffix, suffix.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (!entry.is_regular_file() || (suffix != ".obj" && suffix != ".stl")) continue;
+    constexpr std::array<std::string_view, 8> kSuffixes = {".obj", ".stl", ".off",  ".msh",
+                                                           ".inp", ".su2", ".mesh", ".meshb"};
+    if (!entry.is_regular_file() || std::ranges::find(kSuffixes, suffix) == kSuffixes.end())
+      continue;
     if (entry.file_size() <= kLargest) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

@@ -178,6 +178,52 @@ TEST_F(Files, ThereBeforeStayOnFailure) {
   EXPECT_EQ(folder_.count_files(), 2u);
 }
 
+// Two by two quads of second order with a displaced centre, a support and a load.
+const std::string kDeck =
+    "*HEADING\nplate\n*NODE, NSET=ALL\n1,0,0,0\n2,1,0,0\n3,2,0,0\n4,0,1,0\n5,1.4,1.3,0\n6,2,1,0\n"
+    "7,0,2,0\n8,1,2,0\n9,2,2,0\n11,0.5,0,0\n12,1.5,0,0\n13,0.7,1.15,0\n14,1.7,1.15,0\n15,0.5,2,0\n"
+    "16,1.5,2,0\n21,0,0.5,0\n22,0,1.5,0\n23,1.2,0.65,0\n24,1.2,1.65,0\n25,2,0.5,0\n26,2,1.5,0\n"
+    "*ELEMENT, TYPE=S8R, ELSET=PLATE\n1, 1,2,5,4, 11,23,13,21\n2, 2,3,6,5, 12,25,14,23\n"
+    "3, 4,5,8,7, 13,24,15,22\n4, 5,6,9,8, 14,26,16,24\n*NSET, NSET=LOADED\n8\n"
+    "*SHELL SECTION, ELSET=PLATE, MATERIAL=STEEL\n0.1\n*BOUNDARY\n2, 1, 3\n*STEP\n*STATIC\n"
+    "*CLOAD\nLOADED, 2, -1.\n*END STEP\n";
+
+TEST_F(Files, DecksOfSecondOrderKeepTheirLoadsAndTakeTheMiddlesOfEdgesAlong) {
+  folder_.write("in.inp", kDeck);
+  const Outcome outcome = run({at("in.inp"), "-o", at("out.inp"), "--json", at("report.json")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const MeshFile before = read_mesh(at("in.inp"));
+  const MeshFile after = read_mesh(at("out.inp"));
+  const Points points = after.mesh.points();
+  EXPECT_NEAR((points[4] - Vec3(1, 1, 0)).norm(), 0.0, 1e-3);
+  for (const Index v : {1u, 7u}) EXPECT_EQ(points[v], before.mesh.points()[v]);  // held
+  for (std::size_t i = 0; i < after.followers.size(); ++i) {
+    const auto ends = after.followers.leaders(i);
+    const Vec3 middle = 0.5 * (points[ends[0]] + points[ends[1]]);
+    EXPECT_NEAR((points[after.followers.vertex(i)] - middle).norm(), 0.0, 1e-12);
+  }
+  EXPECT_EQ(bytes("out.inp").substr(bytes("out.inp").find("*ELEMENT")),
+            kDeck.substr(kDeck.find("*ELEMENT")));
+  const json report = json::parse(bytes("report.json"));
+  EXPECT_EQ(report["input"]["format"], "inp");
+}
+
+TEST_F(Files, SetsOfADeckAreSelectorsAndNearNamesAreSuggested) {
+  folder_.write("in.inp", kDeck);
+  const Outcome fixed =
+      run({at("in.inp"), "-o", at("out.inp"), "--fix", "nset:all", "--json", at("report.json")});
+  EXPECT_EQ(fixed.exit_code, 0) << fixed.err;
+  EXPECT_EQ(bytes("out.inp"), kDeck);
+  const Outcome wrong = run({at("in.inp"), "-o", at("b.inp"), "--fix", "nset:LAODED"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("there is no nset 'LAODED' (did you mean 'LOADED'?)"), std::string::npos)
+      << wrong.err;
+  const Outcome info = run({"info", at("in.inp")});
+  EXPECT_NE(info.out.find("nset            LOADED: 1 vertex"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("held            2 vertices"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("second order    12 of these"), std::string::npos) << info.out;
+}
+
 TEST_F(Files, WithNothingToMoveComeOutByteForByteAndSayWhy) {
   folder_.write("in.obj", testing::kCube);
   const Outcome outcome = run({at("in.obj"), "-o", out(), "--json", at("report.json")});

@@ -163,5 +163,61 @@ TEST(SelectorOfALargeMesh, TakesAHundredThousandOverlappingRangesAtOnce) {
   EXPECT_EQ(std::count(flags.begin(), flags.end(), char{1}), 90601);
 }
 
+NamedSet named(std::string kind, std::string name, std::vector<Index> vertices) {
+  return {.kind = std::move(kind), .name = std::move(name), .vertices = [vertices](const Cells&) {
+            return vertices;
+          }};
+}
+
+TEST_F(Selector, KnowsTheSetsOfAFile) {
+  const std::vector<NamedSet> sets = {named("nset", "Part.bolt-holes", {0, 1, 1}),
+                                      named("nset", "bolt", {5}),
+                                      named("elset", "bolt", {6, 7, 8})};
+  const auto select = [&](std::string_view text) {
+    const auto flags = select_vertices(text, mesh_, topology_, {.sets = sets});
+    return std::count(flags.begin(), flags.end(), char{1});
+  };
+  EXPECT_EQ(select("nset:bolt"), 1);
+  EXPECT_EQ(select("elset:BOLT"), 3);
+  EXPECT_EQ(select("nset:Bolt-Holes"), 2);  // the part need not be named, the longest name counts
+  EXPECT_EQ(select("nset:part.bolt-holes + nset:bolt"), 3);
+  EXPECT_EQ(select("nset:'bolt' - id:6"), 0);
+  const auto complaint = [&](std::string_view text) {
+    try {
+      select(text);
+    } catch (const InvalidOption& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(complaint("nset:bold").find("there is no nset 'bold' (did you mean 'bolt'?)"),
+            std::string::npos)
+      << complaint("nset:bold");
+  EXPECT_NE(complaint("marker:wall").find("there is no marker 'wall': the file has none"),
+            std::string::npos);
+}
+
+TEST_F(Selector, TakesTheNumbersOfTheFileWithTheirGaps) {
+  std::vector<std::uint64_t> ids(mesh_.point_count());
+  for (std::size_t v = 0; v < ids.size(); ++v) ids[v] = 10 * (ids.size() - v);
+  const auto select = [&](std::string_view text) {
+    return select_vertices(text, mesh_, topology_, {.ids = ids});
+  };
+  std::vector<char> wanted(ids.size(), 0);
+  wanted[ids.size() - 1] = wanted[ids.size() - 2] = wanted[ids.size() - 3] = 1;
+  EXPECT_EQ(select("id:10-30"), wanted);
+  EXPECT_EQ(select("id:30,10-20,10"), wanted);
+  EXPECT_THROW(select("id:15"), InvalidOption);
+}
+
+TEST_F(Selector, AMiddleOfAnEdgeStandsForItsCorners) {
+  Followers followers;
+  const std::vector<Index> leaders = {3, 4};
+  followers.add(20, leaders);
+  const auto flags = select_vertices("id:21", mesh_, topology_, {.followers = &followers});
+  EXPECT_EQ(std::count(flags.begin(), flags.end(), char{1}), 3);
+  EXPECT_TRUE(flags[3] && flags[4] && flags[20]);
+}
+
 }  // namespace
 }  // namespace evenmesh

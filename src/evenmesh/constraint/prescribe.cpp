@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/core.h>
@@ -56,7 +57,10 @@ std::errc parse(std::string_view field, Number& value) {
 
 class Reader {
  public:
-  Reader(Points points, Index first_id) : points_(points), first_id_(first_id) {}
+  Reader(Points points, std::uint64_t first_id, std::span<const std::uint64_t> ids)
+      : points_(points), first_id_(first_id), ids_(ids) {
+    for (Index v = 0; v < ids.size(); ++v) vertex_of_.emplace(ids[v], v);
+  }
 
   void read_line(std::string_view text) {
     ++line_;
@@ -84,7 +88,7 @@ class Reader {
       } else if (result.back().position != target.position) {
         fail(found_[i].line,
              fmt::format("vertex {} was sent to another place in line {}; keep one of the two",
-                         std::uint64_t{target.vertex} + first_id_, found_[i - 1].line));
+                         id_of(target.vertex), found_[i - 1].line));
       }
     }
     return result;
@@ -132,6 +136,11 @@ class Reader {
     if (error == std::errc::invalid_argument) {
       fail(line_, fmt::format("'{}' is no vertex number; {}", shown(field), kFormats));
     }
+    if (!ids_.empty()) {
+      const auto found = vertex_of_.find(id);
+      if (error == std::errc() && found != vertex_of_.end()) return found->second;
+      fail(line_, fmt::format("there is no vertex {} in this mesh", shown(field)));
+    }
     if (error == std::errc() && id >= first_id_ && id - first_id_ < points_.size()) {
       return static_cast<Index>(id - first_id_);
     }
@@ -150,8 +159,12 @@ class Reader {
     fail(line_, fmt::format("'{}' is no finite number that a double can hold", shown(field)));
   }
 
+  std::uint64_t id_of(Index v) const { return ids_.empty() ? first_id_ + v : ids_[v]; }
+
   Points points_;
   std::uint64_t first_id_;
+  std::span<const std::uint64_t> ids_;
+  std::unordered_map<std::uint64_t, Index> vertex_of_;  // by id, where they are not counted
   std::size_t line_ = 0;
   bool has_begun_ = false;
   Columns columns_ = Columns::positions;
@@ -160,10 +173,11 @@ class Reader {
 
 }  // namespace
 
-std::vector<Target> read_targets(std::string_view text, Points points, Index first_id) {
+std::vector<Target> read_targets(std::string_view text, Points points, std::uint64_t first_id,
+                                 std::span<const std::uint64_t> ids) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  Reader reader(points, first_id);
+  Reader reader(points, first_id, ids);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     reader.read_line(text.substr(0, end));

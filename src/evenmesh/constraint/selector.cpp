@@ -19,14 +19,31 @@ namespace {
 
 constexpr std::string_view kKnown =
     "all, none, boundary, features, corners, interface, non_manifold, id:1,5-9, "
-    "box:x0,y0,z0,x1,y1,z1, group:NAME, joined by + (and), - (without) or & (in both)";
+    "box:x0,y0,z0,x1,y1,z1, group:NAME, nset:NAME, elset:NAME, marker:NAME, joined by + (and), - "
+    "(without) or & (in both)";
 
-constexpr std::array<std::string_view, 10> kWords = {
-    "all",       "none",         "boundary", "features", "corners",
-    "interface", "non_manifold", "id:",      "box:",     "group:"};
+constexpr std::array<std::string_view, 13> kWords = {
+    "all", "none", "boundary", "features", "corners", "interface", "non_manifold",
+    "id:", "box:", "group:",   "nset:",    "elset:",  "marker:"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_operator(char c) { return c == '+' || c == '-' || c == '&'; }
+
+bool equal_but_for_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// "bolts" of "bracket.bolts": a set in a part of a deck may be called without the part.
+std::string_view without_part(std::string_view name) {
+  const std::size_t dot = name.find('.');
+  return dot == std::string_view::npos ? name : name.substr(dot + 1);
+}
+
+bool is_called(const NamedSet& set, std::string_view name) {
+  return equal_but_for_case(set.name, name) || equal_but_for_case(without_part(set.name), name);
+}
 
 /// Calls visit for everything a group may be called: "o part, g left" also "o part", "part",
 /// "g left" and "left".
@@ -47,11 +64,7 @@ void for_each_name(std::string_view name, const Visit& visit) {
 class Parser {
  public:
   Parser(std::string_view text, const Mesh& mesh, const Topology& topology, const FileNames& names)
-      : text_(text),
-        mesh_(mesh),
-        topology_(topology),
-        first_id_(names.first_id),
-        groups_(names.groups) {}
+      : text_(text), mesh_(mesh), topology_(topology), names_(names), groups_(names.groups) {}
 
   std::vector<char> parse() {
     skip_spaces();
@@ -95,6 +108,9 @@ class Parser {
     if (word == "id:") return ids(start);
     if (word == "box:") return box(start);
     if (word == "group:") return group(start);
+    if (word == "nset:" || word == "elset:" || word == "marker:") {
+      return set(start, word.substr(0, word.size() - 1));
+    }
     if (word == "all") return constant(1);
     if (word == "none") return constant(0);
     if (word == "boundary") return topology_.boundary;
@@ -128,9 +144,12 @@ class Parser {
     return std::vector<char>(mesh_.point_count(), value);
   }
 
+  struct Range {
+    std::uint64_t low, high;
+  };
+
   std::vector<char> ids(std::size_t start) {
-    // Ranges are opened and closed here and filled once, so overlapping ones cost nothing.
-    std::vector<std::int64_t> opened(mesh_.point_count() + 1, 0);
+    std::vector<Range> ranges;
     do {
       skip_spaces();
       const std::size_t place = at_;
@@ -142,13 +161,42 @@ class Parser {
         high = id(start);
         if (high < low) fail(place, fmt::format("the range {}-{} runs backwards", low, high));
       }
-      ++opened[low - first_id_];
-      --opened[high - first_id_ + 1];
+      ranges.push_back({low, high});
     } while (take_comma());
+    return with_corners(in_ranges(ranges));
+  }
+
+  /// Ranges are sorted and joined first, so overlapping ones cost nothing.
+  std::vector<char> in_ranges(std::vector<Range>& ranges) const {
+    std::sort(ranges.begin(), ranges.end(),
+              [](const Range& a, const Range& b) { return a.low < b.low; });
+    std::vector<Range> joined;
+    for (const Range& range : ranges) {
+      if (!joined.empty() && range.low <= joined.back().high) {
+        joined.back().high = std::max(joined.back().high, range.high);
+      } else {
+        joined.push_back(range);
+      }
+    }
     std::vector<char> result(mesh_.point_count());
-    std::int64_t open = 0;
-    for (std::size_t v = 0; v < result.size(); ++v) result[v] = (open += opened[v]) > 0;
+    for (std::size_t v = 0; v < result.size(); ++v) {
+      const std::uint64_t number = names_.ids.empty() ? names_.first_id + v : names_.ids[v];
+      const auto behind =
+          std::upper_bound(joined.begin(), joined.end(), number,
+                           [](std::uint64_t n, const Range& range) { return n < range.low; });
+      result[v] = behind != joined.begin() && number <= behind[-1].high;
+    }
     return result;
+  }
+
+  /// Nodes in the middle of edges stand for their corners.
+  std::vector<char> with_corners(std::vector<char> selected) const {
+    if (names_.followers == nullptr) return selected;
+    for (std::size_t i = 0; i < names_.followers->size(); ++i) {
+      if (!selected[names_.followers->vertex(i)]) continue;
+      for (const Index v : names_.followers->leaders(i)) selected[v] = 1;
+    }
+    return selected;
   }
 
   /// A number that some vertex has.
@@ -163,12 +211,24 @@ class Parser {
     }
     at_ = static_cast<std::size_t>(end - text_.data());
     const std::uint64_t count = mesh_.point_count();
-    if (error == std::errc() && value >= first_id_ && value - first_id_ < count) return value;
     const std::string_view number = text_.substr(start, at_ - start);
     if (count == 0)
       fail(start, fmt::format("there is no vertex {}: the mesh has none", shown(number)));
+    if (!names_.ids.empty()) {
+      const auto [low, high] = std::minmax_element(names_.ids.begin(), names_.ids.end());
+      if (error == std::errc() &&
+          std::find(names_.ids.begin(), names_.ids.end(), value) != names_.ids.end()) {
+        return value;
+      }
+      fail(start, fmt::format("there is no vertex {}: the numbers in this file, with gaps, are {} "
+                              "to {}",
+                              shown(number), *low, *high));
+    }
+    if (error == std::errc() && value >= names_.first_id && value - names_.first_id < count) {
+      return value;
+    }
     fail(start, fmt::format("there is no vertex {}: this mesh numbers its vertices {} to {}",
-                            shown(number), first_id_, first_id_ + (count - 1)));
+                            shown(number), names_.first_id, names_.first_id + (count - 1)));
   }
 
   std::vector<char> box(std::size_t start) {
@@ -215,6 +275,58 @@ class Parser {
       for (const Index v : cells.vertices(c)) result[v] = 1;
     }
     return result;
+  }
+
+  std::vector<char> set(std::size_t start, std::string_view kind) {
+    skip_spaces();
+    const std::size_t place = at_;
+    std::string_view name = quoted();
+    if (name.empty()) {
+      name = longest_set_name(kind);
+      if (name.empty()) name = word_with_hyphens(place);
+      at_ += name.size();
+    }
+    if (name.empty()) fail(start, fmt::format("a name is expected behind '{}:'", kind));
+    std::vector<char> result(mesh_.point_count(), 0);
+    bool found = false;
+    for (const NamedSet& set : names_.sets) {
+      if (set.kind != kind || !is_called(set, name)) continue;
+      found = true;
+      for (const Index v : set.vertices(mesh_.cells())) result[v] = 1;
+    }
+    if (!found) fail(place, no_such_set(kind, name));
+    return with_corners(std::move(result));
+  }
+
+  std::string no_such_set(std::string_view kind, std::string_view name) const {
+    std::string text = fmt::format("there is no {} '{}'", kind, shown(name));
+    std::vector<std::string_view> known;
+    for (const NamedSet& set : names_.sets) {
+      if (set.kind == kind) known.push_back(without_part(set.name));
+    }
+    if (known.empty()) return text + ": the file has none";
+    const std::string hint = suggestion(name, known);
+    if (!hint.empty()) return text + hint;
+    constexpr std::size_t kListed = 8;
+    for (std::size_t i = 0; i < known.size() && i < kListed; ++i) {
+      text += fmt::format("{}'{}'", i > 0 ? ", " : "; the file has ", shown(known[i]));
+    }
+    if (known.size() > kListed) text += fmt::format(" and {} more", known.size() - kListed);
+    return text;
+  }
+
+  std::string_view longest_set_name(std::string_view kind) const {
+    const std::string_view text = text_.substr(at_);
+    std::size_t longest = 0;
+    for (const NamedSet& set : names_.sets) {
+      if (set.kind != kind) continue;
+      for (const std::string_view called : {std::string_view(set.name), without_part(set.name)}) {
+        const std::size_t size = called.size();
+        if (size <= longest || !equal_but_for_case(text.substr(0, size), called)) continue;
+        if (text.size() == size || is_space(text[size]) || is_operator(text[size])) longest = size;
+      }
+    }
+    return text.substr(0, longest);
   }
 
   std::vector<char> groups_of(std::size_t place, std::string_view name) const {
@@ -290,7 +402,7 @@ class Parser {
   std::string_view text_;
   const Mesh& mesh_;
   const Topology& topology_;
-  std::uint64_t first_id_;
+  const FileNames& names_;
   std::span<const std::string> groups_;
   std::size_t at_ = 0;
 };

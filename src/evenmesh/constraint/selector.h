@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/mesh/followers.h"
 #include "evenmesh/mesh/mesh.h"
+#include "evenmesh/mesh/named_sets.h"
 #include "evenmesh/mesh/topology.h"
 
 namespace evenmesh {
 
-/// What a file calls its vertices and groups.
+/// What a file calls its vertices, groups and sets.
 struct FileNames {
-  Index first_id = 1;  // of its first vertex (1 for OBJ, 0 for numbered-by-place)
+  std::uint64_t first_id = 1;  // of its first vertex (1 for OBJ, 0 for SU2), if they are counted
+  std::span<const std::uint64_t> ids = {};   // of each vertex; empty: they are counted
   std::span<const std::string> groups = {};  // by group number of a cell; entry 0 is "no group"
+  std::span<const NamedSet> sets = {};
+  const Followers* followers = nullptr;  // nodes of second-order cells that are no corners
 };
 
 /// The groups that a name stands for, as one flag per group number. A file may put several names
@@ -30,14 +36,16 @@ std::vector<char> find_groups(std::span<const std::string> groups, std::string_v
 ///   selector = term { ("+" | "-" | "&") term }          read from left to right
 ///   term     = "all" | "none" | "boundary" | "features" | "corners" | "interface"
 ///            | "non_manifold" | "id:1,5-9" | "box:x0,y0,z0,x1,y1,z1"
-///            | "group:NAME"
+///            | "group:NAME" | "nset:NAME" | "elset:NAME" | "marker:NAME"
 ///
 /// `+` joins, `-` takes away, `&` keeps what both have; spaces are ignored around terms. `features`
 /// includes non-manifold edges, which no smooth surface has. Vertex numbers in `id:` are those of
-/// the file, counted from names.first_id; a minus between two numbers makes a range, any other
-/// takes away. A box includes its faces, and its numbers may be infinite (inf). `group:` selects
-/// the vertices of the cells of find_groups(); of several names that fit the longest counts, and
-/// quotation marks ('a b' or "a b") say where a name ends.
+/// the file; a minus between two numbers makes a range, which may have gaps, any other takes away.
+/// A node in the middle of an edge stands for the corners around it, for it goes where they go. A
+/// box includes its faces, and its numbers may be infinite (inf). `group:` selects the vertices of
+/// the cells of find_groups(), the others those of a set of that kind, in upper or lower case; of
+/// several names that fit the longest counts, and quotation marks ('a b' or "a b") say where a name
+/// ends.
 /// @return  one flag per vertex
 /// @throws InvalidOption  the text does not parse (the message shows where and what is known), or
 ///                        an id or a group is not in the mesh.

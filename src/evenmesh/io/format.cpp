@@ -3,15 +3,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <filesystem>
 #include <string>
 
 #include <fmt/core.h>
 
+#include "evenmesh/io/inp.h"
+#include "evenmesh/io/medit.h"
+#include "evenmesh/io/meshb.h"
 #include "evenmesh/io/msh.h"
 #include "evenmesh/io/obj.h"
+#include "evenmesh/io/off.h"
 #include "evenmesh/io/stl_ascii.h"
 #include "evenmesh/io/stl_binary.h"
+#include "evenmesh/io/su2.h"
 #include "evenmesh/io/text_scan.h"
 
 namespace evenmesh {
@@ -20,7 +26,30 @@ namespace {
 /// So much of a file is looked at to see whether it is text, and to find its first words.
 constexpr std::size_t kLookAt = 4096;
 
-constexpr std::string_view kReads = "evenmesh reads OBJ, STL and Gmsh MSH today";
+constexpr std::string_view kReads =
+    "evenmesh reads OBJ, STL, OFF, Gmsh MSH, MEDIT (.mesh, .meshb), SU2 and the decks of Abaqus "
+    "and "
+    "CalculiX, and all of them compressed with gzip";
+
+/// Makes a reader that has no options one that has.
+template <MeshFile (*read)(std::shared_ptr<const InputFile>)>
+MeshFile without_options(std::shared_ptr<const InputFile> input, const ReadOptions&) {
+  return read(std::move(input));
+}
+
+constexpr std::array kFormats{
+    FormatTraits{Format::obj, "obj", "an OBJ file", ".obj", without_options<read_obj>},
+    FormatTraits{Format::stl_ascii, "stl_ascii", "an STL file", ".stl", read_stl_ascii},
+    FormatTraits{Format::stl_binary, "stl_binary", "an STL file", ".stl", read_stl_binary},
+    FormatTraits{Format::off, "off", "an OFF file", ".off", without_options<read_off>},
+    FormatTraits{Format::msh, "msh", "a Gmsh file", ".msh", without_options<read_msh>},
+    FormatTraits{Format::medit, "medit", "a MEDIT file", ".mesh", without_options<read_medit>},
+    FormatTraits{Format::meshb, "meshb", "a binary MEDIT file", ".meshb",
+                 without_options<read_meshb>},
+    FormatTraits{Format::su2, "su2", "an SU2 file", ".su2", without_options<read_su2>},
+    FormatTraits{Format::inp, "inp", "an Abaqus or CalculiX deck", ".inp",
+                 without_options<read_inp>},
+};
 
 /// How a file of a format begins that is known but not read. Case does not matter.
 struct Signature {
@@ -30,27 +59,17 @@ struct Signature {
 constexpr std::array kSignatures{
     Signature{"$nod\n", "a Gmsh mesh of version 1; save it with 'gmsh -save -format msh41'"},
     Signature{"$nod\r", "a Gmsh mesh of version 1; save it with 'gmsh -save -format msh41'"},
+    Signature{"mfem ", "an MFEM mesh; save it as VTK from MFEM"},
     Signature{"# vtk datafile", "a legacy VTK file (.vtk)"},
     Signature{"<?xml", "an XML file, perhaps VTK (.vtu, .vtp)"},
     Signature{"<vtkfile", "a VTK file (.vtu, .vtp)"},
     Signature{"ply\n", "a PLY file (.ply)"},
     Signature{"ply\r", "a PLY file (.ply)"},
-    Signature{"off\n", "an OFF file (.off)"},
-    Signature{"off\r", "an OFF file (.off)"},
-    Signature{"off ", "an OFF file (.off)"},
-    Signature{"meshversionformatted", "a MEDIT mesh (.mesh)"},
-    Signature{"mfem ", "an MFEM mesh (.mesh)"},
-    Signature{"*heading", "an Abaqus or CalculiX deck (.inp)"},
-    Signature{"*node", "an Abaqus or CalculiX deck (.inp)"},
-    Signature{"*part", "an Abaqus or CalculiX deck (.inp)"},
-    Signature{"**", "an Abaqus or CalculiX deck (.inp)"},
-    Signature{"ndime", "an SU2 mesh (.su2)"},
     Signature{"foamfile", "an OpenFOAM file"},
-    Signature{"\x1f\x8b", "compressed (gzip); unpack it with gunzip first"},
-    Signature{"BZh", "compressed (bzip2); unpack it with bunzip2 first"},
+    Signature{"BZh", "compressed with bzip2; unpack it with bunzip2 first"},
     Signature{"\xfd"
               "7zXZ",
-              "compressed (xz); unpack it with unxz first"},
+              "compressed with xz; unpack it with unxz first"},
     Signature{"PK\x03\x04", "a zip archive, perhaps 3MF; unpack it first"},
     Signature{"\x89HDF", "an HDF5 file (Exodus, MED, CGNS)"},
     Signature{"CDF\x01", "a netCDF file (Exodus)"},
@@ -61,14 +80,21 @@ constexpr std::array kSignatures{
 
 /// Suffixes of formats whose content has no reliable beginning.
 constexpr std::array kSuffixes{
-    Signature{".msh", "a .msh file"},    Signature{".vtk", "a VTK file"},
-    Signature{".vtu", "a VTK file"},     Signature{".ply", "a PLY file"},
-    Signature{".off", "an OFF file"},    Signature{".inp", "an Abaqus deck or AVS UCD file"},
-    Signature{".bdf", "a Nastran deck"}, Signature{".dat", "a .dat file"},
-    Signature{".mesh", "a .mesh file"},  Signature{".su2", "an SU2 mesh"},
-    Signature{".ugrid", "a UGRID file"}, Signature{".cgns", "a CGNS file"},
-    Signature{".exo", "an Exodus file"}, Signature{".e", "an Exodus file"},
-    Signature{".med", "a MED file"},     Signature{".k", "an LS-DYNA deck"},
+    Signature{".msh", "a .msh file, but not Gmsh's"},
+    Signature{".mesh", "a .mesh file, but not MEDIT's"},
+    Signature{".vtk", "a VTK file without its first line"},
+    Signature{".vtu", "a .vtu file without <VTKFile>"},
+    Signature{".ply", "a PLY file"},
+    Signature{".bdf", "a Nastran deck"},
+    Signature{".dat", "a .dat file"},
+    Signature{".inp", "a .inp file, but no deck of Abaqus or CalculiX; perhaps AVS UCD"},
+    Signature{".ugrid", "a UGRID file"},
+    Signature{".cgns", "a CGNS file"},
+    Signature{".exo", "an Exodus file"},
+    Signature{".e", "an Exodus file"},
+    Signature{".med", "a MED file"},
+    Signature{".k", "an LS-DYNA deck"},
+    Signature{".unv", "an I-DEAS universal file"},
 };
 
 constexpr std::array<std::string_view, 33> kObjKeywords{
@@ -88,10 +114,11 @@ bool begins(std::string_view text, std::string_view word) {
   return equal_but_for_case(text.substr(0, word.size()), word);
 }
 
+/// The suffix of a file, of "part.obj.gz" the one before.
 std::string suffix_of(const InputFile& input) {
-  std::string suffix = std::filesystem::path(input.name()).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), lower);
-  return suffix;
+  const std::filesystem::path path(input.name());
+  const std::string suffix = lower_suffix(path);
+  return suffix == ".gz" ? lower_suffix(path.stem()) : suffix;
 }
 
 /// What a text editor would show as text, whatever its character set.
@@ -134,9 +161,32 @@ bool looks_like_ascii_stl(std::string_view text) {
   return word.empty() || begins("facet", word) || begins("endsolid", word) || begins("solid", word);
 }
 
+/// The first word that is no comment; a comment goes from its sign to the end of the line.
+std::string_view first_word(std::string_view text, char comment) {
+  Words words(text);
+  std::string_view word = words.next();
+  for (; word.starts_with(comment); word = words.next()) words.skip_line();
+  return word;
+}
+
 bool looks_like_msh(std::string_view begin) {
   const std::string_view word = Words(begin).next();
   return word == "$MeshFormat" || word == "$Comments";
+}
+
+bool looks_like_su2(std::string_view text) {
+  const std::string_view word = first_word(text, '%');
+  for (const std::string_view key : {"NDIME", "NZONE", "IZONE", "NELEM", "NPOIN", "NMARK"}) {
+    if (begins(word, key) && (word.size() == key.size() || word[key.size()] == '=')) return true;
+  }
+  return false;
+}
+
+/// The keywords of a deck follow a star, comments two.
+bool looks_like_inp(std::string_view text) {
+  const std::string_view word = Words(text).next();
+  return word.size() > 1 && word[0] == '*' &&
+         (word[1] == '*' || lower(word[1]) != word[1] || (word[1] >= 'a' && word[1] <= 'z'));
 }
 
 /// The first statement that is no comment is one of OBJ's.
@@ -157,6 +207,29 @@ bool looks_like_obj(std::string_view text) {
 
 }  // namespace
 
+std::span<const FormatTraits> all_formats() { return kFormats; }
+
+const FormatTraits& format_traits(std::string_view name) {
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(),
+                                  [name](const FormatTraits& f) { return f.name == name; });
+  assert(found != kFormats.end());
+  return *found;
+}
+
+bool has_suffix(const FormatTraits& format, std::string_view suffix) {
+  Words words(format.suffixes);
+  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    if (word == suffix) return true;
+  }
+  return false;
+}
+
+std::string lower_suffix(const std::filesystem::path& path) {
+  std::string suffix = path.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(), lower);
+  return suffix;
+}
+
 Format find_format(const InputFile& input) {
   const std::string_view bytes = input.bytes();
   std::string_view begin = bytes.substr(0, kLookAt);
@@ -166,9 +239,10 @@ Format find_format(const InputFile& input) {
     refuse(input, "text in UTF-16; save it as UTF-8");
   }
   if (begin.starts_with("\xEF\xBB\xBF")) begin.remove_prefix(3);
+  if (looks_like_msh(begin)) return Format::msh;
+  if (looks_like_meshb(begin)) return Format::meshb;
   const bool text = is_text(begin);
   if (text && looks_like_ascii_stl(begin)) return Format::stl_ascii;
-  if (looks_like_msh(begin)) return Format::msh;
   if (has_binary_stl_size(bytes)) return Format::stl_binary;
 
   for (const Signature& known : kSignatures) {
@@ -181,7 +255,12 @@ Format find_format(const InputFile& input) {
     }
     refuse(input, "binary data in no format known here");
   }
+  const std::string_view hashed = first_word(begin, '#');
+  if (equal_but_for_case(hashed, "MeshVersionFormatted")) return Format::medit;
+  if (off_keyword_length(hashed) > 0) return Format::off;
   if (looks_like_obj(begin) || suffix == ".obj") return Format::obj;
+  if (looks_like_su2(begin) || suffix == ".su2") return Format::su2;
+  if (looks_like_inp(begin)) return Format::inp;
   if (suffix == ".stl") {
     input.fail(bytes.size() < kBinaryStlHeader
                    ? "is neither an ASCII STL, which begins with 'solid', nor long enough for a "
@@ -192,22 +271,23 @@ Format find_format(const InputFile& input) {
   for (const Signature& known : kSuffixes) {
     if (suffix == known.begin) refuse(input, known.what);
   }
+  for (const FormatTraits& known : kFormats) {
+    if (has_suffix(known, suffix)) return known.format;
+  }
   refuse(input, "in no format known here");
 }
 
 MeshFile read_as(Format format, std::shared_ptr<const InputFile> input,
                  const ReadOptions& options) {
-  switch (format) {
-    case Format::obj:
-      return read_obj(std::move(input));
-    case Format::stl_ascii:
-      return read_stl_ascii(std::move(input), options);
-    case Format::msh:
-      return read_msh(std::move(input));
-    case Format::stl_binary:
-      break;
-  }
-  return read_stl_binary(std::move(input), options);
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(),
+                                  [format](const FormatTraits& f) { return f.format == format; });
+  assert(found != kFormats.end());
+  MeshFile file = found->read(input, options);
+  file.path = input->name();
+  file.bytes = input->size_on_disk();
+  file.input = std::move(input);
+  if (file.group_names.empty()) file.group_names = {""};
+  return file;
 }
 
 MeshFile read_mesh(std::shared_ptr<const InputFile> input, const ReadOptions& options) {

@@ -2,14 +2,34 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "evenmesh/io/input_file.h"
 #include "evenmesh/io/mesh_file.h"
 
 namespace evenmesh {
 
-enum class Format : std::uint8_t { obj, stl_ascii, stl_binary, msh };
+enum class Format : std::uint8_t { obj, stl_ascii, stl_binary, off, msh, medit, meshb, su2, inp };
+
+/// One row of the table of formats.
+struct FormatTraits {
+  Format format;
+  std::string_view name;      // in reports: "stl_ascii"
+  std::string_view words;     // in messages: "an STL file"
+  std::string_view suffixes;  // separated by blanks, the usual one first: ".vtu .vtp"
+  /// @throws IoError  see read_mesh()
+  MeshFile (*read)(std::shared_ptr<const InputFile> input, const ReadOptions& options);
+};
+std::span<const FormatTraits> all_formats();
+const FormatTraits& format_traits(std::string_view name);
+bool has_suffix(const FormatTraits& format, std::string_view suffix);
+
+/// ".vtu" of "part.VTU".
+std::string lower_suffix(const std::filesystem::path& path);
 
 /// The format of a file, from its content; the suffix of its name decides only where the content
 /// leaves it open.

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "evenmesh/base/error.h"
+#include "evenmesh/io/gzip.h"
 #include "evenmesh/io/text_scan.h"
 
 namespace evenmesh {
@@ -44,7 +45,7 @@ std::shared_ptr<const InputFile> InputFile::open(const std::filesystem::path& pa
   void* const memory = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file->descriptor_, 0);
   if (memory == MAP_FAILED) file->fail(fmt::format("cannot be read: {}", system_message(errno)));
   ::madvise(memory, size, MADV_SEQUENTIAL);
-  file->bytes_ = {static_cast<const char*>(memory), size};
+  file->take({static_cast<const char*>(memory), size});
   file->changed_seconds_ = status.st_mtim.tv_sec;
   file->changed_nanoseconds_ = status.st_mtim.tv_nsec;
   return file;
@@ -52,15 +53,24 @@ std::shared_ptr<const InputFile> InputFile::open(const std::filesystem::path& pa
 
 std::shared_ptr<const InputFile> InputFile::borrow(std::string_view bytes, std::string name) {
   const std::shared_ptr<InputFile> file(new InputFile);
-  file->bytes_ = bytes;
   file->name_ = std::move(name);
   if (bytes.empty()) file->fail("is empty");
+  file->take(bytes);
   return file;
+}
+
+void InputFile::take(std::string_view bytes) {
+  mapped_ = bytes;
+  bytes_ = bytes;
+  if (!is_gzip(bytes)) return;
+  unpacked_ = gunzip(bytes, name_);
+  bytes_ = unpacked_;
+  if (bytes_.empty()) fail("is empty when unpacked");
 }
 
 InputFile::~InputFile() {
   if (descriptor_ < 0) return;
-  if (!bytes_.empty()) ::munmap(const_cast<char*>(bytes_.data()), bytes_.size());
+  if (!mapped_.empty()) ::munmap(const_cast<char*>(mapped_.data()), mapped_.size());
   ::close(descriptor_);
 }
 
@@ -98,7 +108,7 @@ void InputFile::fail(std::string_view message) const {
 void InputFile::check_unchanged() const {
   if (descriptor_ < 0) return;
   struct stat now {};
-  if (::fstat(descriptor_, &now) == 0 && static_cast<std::size_t>(now.st_size) == bytes_.size() &&
+  if (::fstat(descriptor_, &now) == 0 && static_cast<std::size_t>(now.st_size) == mapped_.size() &&
       now.st_mtim.tv_sec == changed_seconds_ && now.st_mtim.tv_nsec == changed_nanoseconds_) {
     return;
   }

@@ -13,9 +13,9 @@ namespace evenmesh {
 /// The bytes of a file as they lie on disk, and how messages speak of places in them.
 class InputFile {
  public:
-  /// Maps a regular file into memory.
+  /// Maps a regular file into memory, and unpacks it there if it is compressed with gzip.
   /// @param shown_as  the name used in messages; empty: path itself
-  /// @throws IoError  missing, unreadable, not a regular file, or empty
+  /// @throws IoError  missing, unreadable, not a regular file, empty, or broken gzip
   static std::shared_ptr<const InputFile> open(const std::filesystem::path& path,
                                                std::string shown_as = {});
 
@@ -26,7 +26,13 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
+  /// The content, unpacked.
   std::string_view bytes() const { return bytes_; }
+  bool is_compressed() const { return !unpacked_.empty(); }
+  /// @pre  is_compressed()
+  std::string_view compressed_bytes() const { return mapped_; }
+  /// The size of the file on disk, bytes.
+  std::size_t size_on_disk() const { return mapped_.size(); }
   const std::string& name() const { return name_; }
 
   /// Physical line of a byte, counted from 1. LF, CR LF and CR alone each end a line.
@@ -47,7 +53,11 @@ class InputFile {
  private:
   InputFile() = default;
 
-  std::string_view bytes_;
+  void take(std::string_view bytes);
+
+  std::string_view mapped_;  // as on disk, or borrowed
+  std::string unpacked_;     // empty unless compressed
+  std::string_view bytes_;   // one of the two
   std::string name_;
   int descriptor_ = -1;  // -1: borrowed
   std::int64_t changed_seconds_ = 0;

@@ -8,6 +8,7 @@
 
 #include "evenmesh/base/error.h"
 #include "evenmesh/io/format.h"
+#include "evenmesh/io/gzip.h"
 #include "evenmesh/io/input_file.h"
 #include "evenmesh/io/output_file.h"
 
@@ -19,39 +20,35 @@ bool same_cells(const Cells& a, const Cells& b) {
          std::ranges::equal(a.corners(), b.corners());
 }
 
-Format format_of(const FilePatch& patch) {
-  if (patch.format() == "obj") return Format::obj;
-  if (patch.format() == "msh") return Format::msh;
-  return patch.format() == "stl_ascii" ? Format::stl_ascii : Format::stl_binary;
-}
-
-std::string_view suffix_of(Format format) {
-  if (format == Format::obj) return ".obj";
-  return format == Format::msh ? ".msh" : ".stl";
-}
-
-std::string_view name_of(Format format) {
-  if (format == Format::obj) return "an OBJ file";
-  return format == Format::msh ? "a Gmsh file" : "an STL file";
-}
-
 /// Files are patched, not converted: the suffix of the output must not promise another format.
-void check_suffix(const std::filesystem::path& path, Format format) {
-  std::string suffix = path.extension().string();
-  std::ranges::transform(suffix, suffix.begin(), [](char c) {
-    return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-  });
-  const std::string_view own = suffix_of(format);
-  if (suffix == own || (suffix != ".obj" && suffix != ".stl" && suffix != ".msh")) return;
+void check_suffix(const std::filesystem::path& path, const FormatTraits& format) {
+  std::string suffix = lower_suffix(path);
+  if (suffix == ".gz") suffix = lower_suffix(path.stem());
+  const std::string_view own = format.suffixes;
+  if (suffix.empty() || has_suffix(format, suffix)) return;
+  const auto all = all_formats();
+  if (std::ranges::none_of(all, [&](const FormatTraits& f) { return has_suffix(f, suffix); })) {
+    return;
+  }
   throw IoError(
       fmt::format("{}: the input is {} and evenmesh does not convert; name the output *{}",
-                  path.string(), name_of(format), own));
+                  path.string(), format.words, own.substr(0, own.find(' '))));
+}
+
+void check_compression(const std::filesystem::path& path, const MeshFile& file) {
+  const bool zipped = lower_suffix(path) == ".gz";
+  if (zipped == file.input->is_compressed()) return;
+  if (!zipped && path.extension().empty()) return;
+  throw IoError(fmt::format(
+      "{}: the input is {}compressed and the output is written like it; {} .gz in its name",
+      path.string(), zipped ? "not " : "", zipped ? "leave out" : "put"));
 }
 
 Mesh read_back(const MeshFile& file, const std::filesystem::path& temporary,
                const std::filesystem::path& path, const ReadOptions& options) {
   try {
-    return read_as(format_of(*file.patch), InputFile::open(temporary, path.string()), options).mesh;
+    const FormatTraits& format = format_traits(file.patch->format());
+    return read_as(format.format, InputFile::open(temporary, path.string()), options).mesh;
   } catch (const IoError& error) {
     throw IoError(fmt::format("{} (while reading back what was to be written; nothing was written)",
                               error.what()));
@@ -83,7 +80,28 @@ void check_same(const MeshFile& file, const Mesh& written, Points wanted,
                             path.string(), file.patch->vertex_name(static_cast<Index>(i))));
 }
 
+/// A compressed file in which nothing moves keeps its very bytes, which another compressor would
+/// not give again.
+void write_bytes(const MeshFile& file, Points points, OutputFile& output) {
+  const auto append = [&output](std::string_view bytes) { output.append(bytes); };
+  if (!file.input->is_compressed()) {
+    file.patch->write(points, append);
+  } else if (first_difference(file.mesh.points(), points) == points.size()) {
+    output.append(file.input->compressed_bytes());
+  } else {
+    GzipWriter writer(append);
+    file.patch->write(points, [&writer](std::string_view bytes) { writer.append(bytes); });
+    writer.finish();
+  }
+}
+
 }  // namespace
+
+std::vector<Vec3> MeshFile::representable(Points points) const {
+  std::vector<Vec3> moved(points.begin(), points.end());
+  followers.follow(mesh.points(), moved);
+  return patch->representable(moved);
+}
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
   MeshFile file = read_mesh(InputFile::open(path), options);
@@ -93,13 +111,15 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
 
 void write_mesh(const MeshFile& file, Points points, const std::filesystem::path& path,
                 const ReadOptions& options, const std::function<void(const Mesh&)>& check) {
-  check_suffix(path, format_of(*file.patch));
+  check_suffix(path, format_traits(file.patch->format()));
+  check_compression(path, file);
   OutputFile output(path);
-  file.patch->write(points, [&](std::string_view bytes) { output.append(bytes); });
+  const std::vector<Vec3> wanted = file.representable(points);
+  write_bytes(file, wanted, output);
   output.close();
 
   const Mesh written = read_back(file, output.temporary_path(), path, options);
-  check_same(file, written, file.patch->representable(points), path);
+  check_same(file, written, wanted, path);
   if (check) check(written);
   output.commit();
 }

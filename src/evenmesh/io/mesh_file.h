@@ -6,12 +6,16 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/io/input_file.h"
+#include "evenmesh/mesh/followers.h"
 #include "evenmesh/mesh/mesh.h"
+#include "evenmesh/mesh/named_sets.h"
 
 namespace evenmesh {
 
@@ -21,7 +25,7 @@ class FilePatch {
  public:
   virtual ~FilePatch() = default;
 
-  /// "obj", "stl_ascii", "stl_binary", "msh".
+  /// The name of the format, see format_traits(): "obj", "stl_ascii", "msh".
   virtual std::string_view format() const = 0;
 
   /// The positions that a reader of the output would see: those of the input, bit for bit, where a
@@ -37,6 +41,17 @@ class FilePatch {
   /// The name that a user finds in the file: "face 17 (line 203)", "facet 12".
   virtual std::string cell_name(std::size_t cell) const = 0;
   virtual std::string vertex_name(Index vertex) const = 0;
+
+  /// The number of each vertex in the file; empty where they are only counted, from the first
+  /// one's.
+  virtual std::span<const std::uint64_t> vertex_numbers() const { return {}; }
+  virtual std::uint64_t first_vertex_number() const { return 1; }
+};
+
+/// Vertices that stay by default because something in the file hangs on their very places.
+struct HeldVertices {
+  std::vector<Index> vertices = {};
+  std::string why = {};  // "in loads, supports and couplings"
 };
 
 struct MeshFile {
@@ -44,8 +59,16 @@ struct MeshFile {
   Mesh mesh;
   std::unique_ptr<const FilePatch> patch;
   std::vector<std::string> group_names;  // [group number of a cell]; entry 0 is "no group"
-  std::vector<std::string> notes;        // what the reader wants the user to know, whole sentences
-  std::uint64_t bytes = 0;               // size of the file
+  std::vector<NamedSet> sets = {};       // what else the file calls by a name
+  Followers followers = {};              // nodes of second-order cells that are no corners
+  HeldVertices held = {};
+  std::vector<std::string> notes;  // what the reader wants the user to know, whole sentences
+  std::uint64_t bytes = 0;         // size of the file
+  std::shared_ptr<const InputFile> input = {};  // the bytes themselves
+
+  /// Where everything is when the corners are at `points`: followers follow, and each coordinate
+  /// is what the file can hold.
+  std::vector<Vec3> representable(Points points) const;
 };
 
 struct ReadOptions {
@@ -64,7 +87,7 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
 /// Writes the file again with new positions: to a temporary file beside `path`, which is then read
 /// back and compared (same connectivity, the positions of representable()), given to `check`, and
 /// only then renamed to `path`. On any failure, or when check throws, the temporary file is removed
-/// and whatever was at `path` is as before.
+/// and whatever was at `path` is as before. A compressed input gives a compressed output.
 /// @param check  called with the mesh as read back; throws to refuse
 /// @throws IoError  no permission, disk full, or the file read back differs
 void write_mesh(const MeshFile& file, Points points, const std::filesystem::path& path,

@@ -12,6 +12,7 @@
 #include "evenmesh/io/msh4.h"
 #include "evenmesh/io/msh_content.h"
 #include "evenmesh/io/msh_scanner.h"
+#include "evenmesh/io/second_order.h"
 #include "evenmesh/io/text_scan.h"
 
 namespace evenmesh {
@@ -93,6 +94,8 @@ class MshPatch final : public FilePatch {
   std::string vertex_name(Index vertex) const override {
     return name("node", tags_[vertex], vertices_[vertex]);
   }
+
+  std::span<const std::uint64_t> vertex_numbers() const override { return tags_; }
 
  private:
   std::string name(std::string_view what, std::uint64_t tag, std::uint64_t offset) const {
@@ -280,18 +283,25 @@ class Reader {
     }
   }
 
+  void check_not_torn() const {
+    const std::size_t torn =
+        find_torn(content_.followers, content_.cells, content_.nodes.points.size());
+    if (torn == content_.followers.size()) return;
+    const Index v = content_.followers.vertex(torn);
+    scanner_.fail(content_.nodes.offsets[v],
+                  fmt::format("node {} is a corner of one element and in the middle of an edge of "
+                              "another; the mesh would tear there when it moves",
+                              content_.nodes.tags[v]));
+  }
+
   MeshFile take_file() {
+    check_not_torn();
     MeshFile file;
     file.notes = std::move(notes_);
+    file.followers = std::move(content_.followers);
     if (content_.cells.empty()) {
       file.notes.push_back("The file has nodes but no elements that make a surface or a volume.");
     }
-    if (!content_.nodes.counts_from_one()) {
-      file.notes.push_back(
-          "The nodes are not numbered 1, 2, 3 ...: 'id:' counts them in the order of the file.");
-    }
-    file.path = input_->name();
-    file.bytes = input_->bytes().size();
     file.group_names = content_.groups.names(*input_);
     file.mesh = Mesh(std::move(content_.nodes.points), std::move(content_.cells));
     file.patch = std::make_unique<MshPatch>(input_, layout_, std::move(content_.nodes.tags),

@@ -6,31 +6,25 @@
 
 #include <fmt/core.h>
 
+#include "evenmesh/io/second_order.h"
+
 namespace evenmesh {
 namespace {
 
 /// The names of all groups may be so many times longer than the file. No honest file comes near.
 constexpr std::size_t kNameRatio = 32;
 
-/// Tags up to so many times their number are looked up in a table, larger ones in a sorted list.
-constexpr std::uint64_t kTableRatio = 4;
-
 constexpr std::uint32_t kPoint = 15;
 constexpr std::uint32_t kLine = 1;
 
 std::int64_t without_sign(std::int64_t tag) { return tag < 0 ? -tag : tag; }
 
-std::string_view high_order_name(std::int64_t type) {
-  constexpr std::string_view kNames[] = {
-      "3-node line", "6-node triangle", "9-node quad",     "10-node tet",
-      "27-node hex", "18-node wedge",   "14-node pyramid", "",
-      "8-node quad", "20-node hex",     "15-node wedge",   "13-node pyramid"};
-  constexpr std::int64_t kFirst = 8;
-  const bool known = type >= kFirst && type < kFirst + static_cast<std::int64_t>(std::size(kNames));
-  return known ? kNames[type - kFirst] : std::string_view();
+/// The types of third to fifth order, in ranges.
+bool is_of_higher_order(std::int64_t type) {
+  return (type >= 20 && type <= 62) || (type >= 71 && type <= 93) || type == 96 || type == 97;
 }
 
-std::optional<MshElementType> linear_type(std::int64_t type) {
+std::optional<MshElementType> known_type(std::int64_t type) {
   switch (type) {
     case kLine:
       return MshElementType{.dimension = 1, .nodes = 2};
@@ -46,6 +40,28 @@ std::optional<MshElementType> linear_type(std::int64_t type) {
       return MshElementType{CellKind::wedge, 3, 6};
     case 7:
       return MshElementType{CellKind::pyramid, 3, 5};
+    case 8:
+      return MshElementType{.dimension = 1, .nodes = 3};
+    case 9:
+      return MshElementType{CellKind::triangle, 2, 6};
+    case 10:
+      return MshElementType{CellKind::quad, 2, 9};
+    case 11:
+      return MshElementType{CellKind::tet, 3, 10};
+    case 12:
+      return MshElementType{CellKind::hex, 3, 27};
+    case 13:
+      return MshElementType{CellKind::wedge, 3, 18};
+    case 14:
+      return MshElementType{CellKind::pyramid, 3, 14};
+    case 16:
+      return MshElementType{CellKind::quad, 2, 8};
+    case 17:
+      return MshElementType{CellKind::hex, 3, 20};
+    case 18:
+      return MshElementType{CellKind::wedge, 3, 15};
+    case 19:
+      return MshElementType{CellKind::pyramid, 3, 13};
     case kPoint:
       return MshElementType{.dimension = 0, .nodes = 1};
     default:
@@ -73,38 +89,10 @@ void MshNodes::finish(const MshScanner& scanner) {
   if (tags.size() >= std::numeric_limits<Index>::max()) {
     scanner.input().fail("has more nodes than 32-bit numbers can count");
   }
-  const auto fail_twice = [&](std::size_t vertex) {
-    scanner.fail(offsets[vertex],
-                 fmt::format("node {} is there twice; number the nodes anew", tags[vertex]));
-  };
-  std::size_t straight = 0;
-  while (straight < tags.size() && tags[straight] == straight + 1) ++straight;
-  if (straight == tags.size()) return;
-
-  const std::uint64_t largest = *std::max_element(tags.begin(), tags.end());
-  if (largest / kTableRatio <= tags.size()) {
-    table_.assign(largest + 1, kNoVertex);
-    for (std::size_t i = 0; i < tags.size(); ++i) {
-      if (table_[tags[i]] != kNoVertex) fail_twice(i);
-      table_[tags[i]] = static_cast<Index>(i);
-    }
-    return;
-  }
-  sorted_.reserve(tags.size());
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    sorted_.emplace_back(tags[i], static_cast<Index>(i));
-  }
-  std::sort(sorted_.begin(), sorted_.end());
-  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
-  const auto twice = std::adjacent_find(sorted_.begin(), sorted_.end(), same);
-  if (twice != sorted_.end()) fail_twice(twice[1].second);
-}
-
-Index MshNodes::find(std::uint64_t tag) const {
-  if (!table_.empty()) return tag < table_.size() ? table_[tag] : kNoVertex;
-  if (sorted_.empty()) return tag - 1 < tags.size() ? static_cast<Index>(tag - 1) : kNoVertex;
-  const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{tag, Index{0}});
-  return at != sorted_.end() && at->first == tag ? at->second : kNoVertex;
+  const std::size_t twice = numbers_.index(tags);
+  if (twice == tags.size()) return;
+  scanner.fail(offsets[twice],
+               fmt::format("node {} is there twice; number the nodes anew", tags[twice]));
 }
 
 void MshGroups::set_name(int dimension, std::int64_t physical, std::string_view name) {
@@ -156,18 +144,17 @@ std::vector<std::string> MshGroups::names(const InputFile& input) const {
 
 MshElementType msh_element_type(const MshScanner& scanner, const char* place, std::int64_t type,
                                 std::optional<std::uint64_t> tag) {
-  if (const auto known = linear_type(type)) return *known;
+  if (const auto known = known_type(type)) return *known;
   const std::string who = tag ? fmt::format("element {}", *tag) : "a block of elements";
-  const std::string_view name = high_order_name(type);
-  if (!name.empty()) {
-    scanner.fail(place, fmt::format("{} is of second order or higher ({}, type {}), which evenmesh "
-                                    "does not read; save the mesh with 'gmsh -order 1'",
-                                    who, name, type));
+  if (is_of_higher_order(type)) {
+    scanner.fail(place, fmt::format("{} is of third order or higher (type {}), which evenmesh does "
+                                    "not read; save the mesh with 'gmsh -order 2' or less",
+                                    who, type));
   }
   scanner.fail(place,
                fmt::format("{} has type {}; evenmesh reads points, lines, triangles, quads, tets, "
-                           "hexes, wedges and pyramids of first order (1 to 7 and 15). Save the "
-                           "mesh with 'gmsh -order 1'",
+                           "hexes, wedges and pyramids of first and second order (1 to 19). Save "
+                           "the mesh with 'gmsh -order 1'",
                            who, type));
 }
 
@@ -191,7 +178,9 @@ void MshContent::read_corners(MshScanner& scanner, const MshElementType& type, b
     corners_.push_back(vertex);
   }
   if (!type.makes_cell()) return;
-  cells.add(type.kind, corners_, group);
+  const auto linear = static_cast<std::size_t>(traits(type.kind).vertices);
+  cells.add(type.kind, std::span(corners_).first(linear), group);
+  add_followers(type.kind, EdgeOrder::gmsh, corners_, followers);
   cell_offsets.push_back(scanner.offset(place));
 }
 

@@ -12,6 +12,8 @@
 
 #include "evenmesh/base/vec3.h"
 #include "evenmesh/io/msh_scanner.h"
+#include "evenmesh/io/node_numbers.h"
+#include "evenmesh/mesh/followers.h"
 #include "evenmesh/mesh/mesh.h"
 
 namespace evenmesh {
@@ -28,12 +30,12 @@ class MshNodes {
   void finish(const MshScanner& scanner);
 
   /// @return  the vertex with this tag, or kNoVertex
-  Index find(std::uint64_t tag) const;
-  static constexpr Index kNoVertex = ~Index{0};
+  Index find(std::uint64_t tag) const { return numbers_.find(tag); }
+  static constexpr Index kNoVertex = NodeNumbers::kNone;
 
   bool is_finished() const { return finished_; }
   /// Whether the tags are 1, 2, 3 ...
-  bool counts_from_one() const { return table_.empty() && sorted_.empty(); }
+  bool counts_from_one() const { return numbers_.counts_from_one(); }
 
   std::vector<Vec3> points;
   std::vector<std::uint64_t> tags;
@@ -41,8 +43,7 @@ class MshNodes {
 
  private:
   bool finished_ = false;
-  std::vector<Index> table_;  // [tag], where the tags are not much larger than their number
-  std::vector<std::pair<std::uint64_t, Index>> sorted_;  // by tag, where they are
+  NodeNumbers numbers_;
 };
 
 /// The groups of a Gmsh file. A cell is in the combination of physical groups that it or its
@@ -79,7 +80,7 @@ struct MshElementType {
 };
 
 /// @param tag  of the element, for the message; none: a block of elements
-/// @throws IoError  the type is not read, for example one of second order
+/// @throws IoError  the type is not read, for example one of third order
 MshElementType msh_element_type(const MshScanner& scanner, const char* place, std::int64_t type,
                                 std::optional<std::uint64_t> tag);
 
@@ -88,6 +89,7 @@ struct MshContent {
   MshNodes nodes;
   MshGroups groups;
   Cells cells;
+  Followers followers;
   std::vector<std::uint64_t> cell_offsets;  // where the cell's tag stands in the file
   std::map<std::pair<int, std::int64_t>, std::vector<std::int64_t>> physicals;  // by entity
 

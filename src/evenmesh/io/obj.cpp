@@ -202,8 +202,6 @@ class Reader {
 
     MeshFile file;
     if (cells_.empty()) file.notes.push_back("The file has vertices but no faces.");
-    file.path = input_->name();
-    file.bytes = input_->bytes().size();
     file.mesh = Mesh(std::move(points_), std::move(cells_));
     file.group_names = groups_.take_names();
     file.patch = std::make_unique<ObjPatch>(input_, std::move(vertices_), std::move(faces_));

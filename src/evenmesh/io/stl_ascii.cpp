@@ -243,8 +243,6 @@ MeshFile read_stl_ascii(std::shared_ptr<const InputFile> input, const ReadOption
     file.notes.push_back("The file ends without 'endsolid'; it may have been cut off.");
   }
   if (facets.empty()) file.notes.push_back("The file has no facets.");
-  file.path = input->name();
-  file.bytes = input->bytes().size();
   file.group_names = {""};
   file.mesh = soup.take_mesh(solids.groups(facets.size(), file.group_names));
   file.patch = std::make_unique<AsciiStlPatch>(std::move(input), file.mesh, std::move(facets));

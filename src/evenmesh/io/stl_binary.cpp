@@ -172,8 +172,6 @@ MeshFile read_stl_binary(std::shared_ptr<const InputFile> input, const ReadOptio
     soup.add(corners);
   }
   if (facets == 0) file.notes.push_back("The file has no facets.");
-  file.path = input->name();
-  file.bytes = bytes.size();
   file.mesh = soup.take_mesh();
   file.group_names = {""};
   file.patch = std::make_unique<BinaryStlPatch>(std::move(input), file.mesh);

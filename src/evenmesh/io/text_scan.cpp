@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 #include <fmt/core.h>
@@ -66,6 +67,55 @@ const char* scan_number(const char* p, const char* end, double& value) {
   return stop;
 }
 
+const char* scan_value(const char* p, const char* end, double& value, Exponents exponents) {
+  const char* digits = p;
+  if (digits != end && *digits == '+') ++digits;
+  double number = 0.0;
+  auto [stop, error] = std::from_chars(digits, end, number);
+  const auto ends = [end](const char* place) { return ends_word(place, end) || *place == ','; };
+  if (!ends(stop)) {
+    // Once more with the exponent written as from_chars() wants it.
+    constexpr std::ptrdiff_t kLongest = 64;
+    const bool letter = *stop == 'd' || *stop == 'D';
+    const bool bare = exponents == Exponents::bare && (*stop == '+' || *stop == '-');
+    if (error != std::errc() || !(letter || bare) || stop - digits > kLongest) return nullptr;
+    std::string text(digits, stop);
+    text += 'e';
+    const char* q = letter ? stop + 1 : stop;
+    if (q != end && *q == '+') ++q;
+    while (!(q == end || ends(q)) && static_cast<std::ptrdiff_t>(text.size()) <= 2 * kLongest) {
+      text += *q++;
+    }
+    double again = 0.0;
+    return scan_number(text.data(), text.data() + text.size(), again) == nullptr
+               ? nullptr
+               : (value = again, q);
+  }
+  if (*digits == '-' && p != digits) return nullptr;  // "+-1"
+  if (error == std::errc::result_out_of_range && is_tiny(digits, stop)) {
+    number = *digits == '-' ? -0.0 : 0.0;
+  } else if (error != std::errc() || !std::isfinite(number)) {
+    return nullptr;
+  }
+  value = number;
+  return stop;
+}
+
+const char* scan_whole(const char* p, const char* end, std::int64_t& value) {
+  constexpr std::ptrdiff_t kMostDigits = 18;
+  const bool negative = p != end && *p == '-';
+  if (p != end && (*p == '-' || *p == '+')) ++p;
+  const char* const first = p;
+  std::int64_t number = 0;
+  for (; p != end && is_digit(*p); ++p) {
+    if (p - first == kMostDigits) return nullptr;
+    number = 10 * number + (*p - '0');
+  }
+  if (p == first || !(ends_word(p, end) || *p == ',')) return nullptr;
+  value = negative ? -number : number;
+  return p;
+}
+
 std::string explain_bad_number(const char* p, const char* end) {
   const char* const stop = word_end(p, end);
   const std::string_view word(p, static_cast<std::size_t>(stop - p));
@@ -106,5 +156,17 @@ NumberText::NumberText(double value)
 NumberText::NumberText(float value)
     : length_(static_cast<std::size_t>(std::to_chars(text_, text_ + sizeof(text_), value).ptr -
                                        text_)) {}
+
+NumberText NumberText::fitted(double value, std::size_t characters) {
+  NumberText best(value);
+  for (int precision = std::numeric_limits<double>::max_digits10 - 1;
+       best.length_ > characters && precision > 0; --precision) {
+    const char* const stop = std::to_chars(best.text_, best.text_ + sizeof(best.text_), value,
+                                           std::chars_format::general, precision)
+                                 .ptr;
+    best.length_ = static_cast<std::size_t>(stop - best.text_);
+  }
+  return best.length_ > characters ? NumberText(0.0) : best;
+}
 
 }  // namespace evenmesh

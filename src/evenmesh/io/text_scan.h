@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -41,6 +42,16 @@ inline bool ends_word(const char* p, const char* end) {
 /// @return            where the number ends, or nullptr where there is no finite number
 const char* scan_number(const char* p, const char* end, double& value);
 
+/// The same for formats whose words may end at a comma, and whose exponents may be written with D
+/// or, as in Nastran, without a letter ("1.43-13").
+enum class Exponents : std::uint8_t { letter, bare };
+const char* scan_value(const char* p, const char* end, double& value,
+                       Exponents exponents = Exponents::letter);
+
+/// Reads a whole number, digits with a sign or none, that ends a word or at a comma.
+/// @return  where it ends, or nullptr where there is none below 10^18
+const char* scan_whole(const char* p, const char* end, std::int64_t& value);
+
 /// What is wrong with the word at p, at which scan_number() returned nullptr, and what to try.
 std::string explain_bad_number(const char* p, const char* end);
 
@@ -52,6 +63,10 @@ class NumberText {
  public:
   explicit NumberText(double value);
   explicit NumberText(float value);
+  /// The best that has at most so many characters. Where even that needs more, as for 1e-300 in
+  /// five, it is zero.
+  /// @pre  at least 7 characters, finite
+  static NumberText fitted(double value, std::size_t characters);
   std::string_view view() const { return {text_, length_}; }
 
  private:

@@ -22,6 +22,12 @@ void Cells::add(CellKind kind, std::span<const Index> vertices, std::uint32_t gr
   if (group != 0 || !groups_.empty()) groups_.push_back(group);
 }
 
+void Cells::set_group(std::size_t cell, std::uint32_t group) {
+  if (groups_.empty() && group == 0) return;
+  groups_.resize(kinds_.size(), 0);
+  groups_[cell] = group;
+}
+
 void Cells::reserve(std::size_t cells, std::size_t corners) {
   corners_.reserve(corners);
   offsets_.reserve(cells + 1);

@@ -19,6 +19,8 @@ class Cells {
   /// @pre   the number of vertices is that of the kind (at least 3 for a polygon)
   void add(CellKind kind, std::span<const Index> vertices, std::uint32_t group = 0);
   void reserve(std::size_t cells, std::size_t corners);
+  /// For readers of files that name the groups of cells behind the cells.
+  void set_group(std::size_t cell, std::uint32_t group);
 
   std::size_t size() const { return kinds_.size(); }
   bool empty() const { return kinds_.empty(); }

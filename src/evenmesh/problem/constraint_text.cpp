@@ -68,6 +68,7 @@ class Reader {
 
   Constraints read() {
     result_.vertex_name = in_.vertex_name;
+    result_.held = in_.held;
     if (text_.fix != "auto") result_.fixed = selection("--fix", text_.fix);
     for (const std::string& t : text_.free) result_.free.push_back(selection("--free", t));
     for (const std::string& t : text_.slide) read_slide(t);
@@ -245,7 +246,8 @@ class Reader {
     if (!table) return targets_from(in_.mesh, in_.read_mesh(file), selected);
     std::vector<Target> targets;
     try {
-      targets = read_targets(in_.read_text(file), in_.mesh.points(), in_.names.first_id);
+      targets =
+          read_targets(in_.read_text(file), in_.mesh.points(), in_.names.first_id, in_.names.ids);
     } catch (const InvalidOption& error) {
       throw InvalidOption(fmt::format("{}: {}", file, error.what()));
     }

@@ -78,6 +78,9 @@ struct NamedBound {
 struct Constraints {
   /// Exactly these stay. Nothing: what keeps the shape (see apply()).
   std::optional<Selection> fixed = {};
+  /// These stay too unless they are free, slide or `fixed` says which stay: a default that comes
+  /// with the file. Empty: none.
+  Selection held = {};
   std::vector<Selection> free = {};  // without the defaults; on a surface mesh anywhere on it
   std::vector<Slide> slides = {};
   std::vector<Symmetry> symmetries = {};

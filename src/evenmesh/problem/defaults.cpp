@@ -50,6 +50,9 @@ std::vector<Held> find_defaults(const Scene& scene) {
   for (Index v = 0; v < held.size(); ++v) {
     const bool on_run = held[v].hold == Hold::curved && tracks.place[v] == VertexPlace::run;
     if (constraints.fixed && on_run) held[v].hold = Hold::run;
+    if (!constraints.fixed && !constraints.held.vertices.empty() && constraints.held.vertices[v]) {
+      held[v] = {Hold::file};
+    }
     for (const Selection& free : constraints.free) {
       if (free.vertices[v]) held[v] = {};
     }
@@ -67,6 +70,7 @@ void apply_defaults(const Scene& scene, Arrangement& arrangement) {
         break;
       case Hold::corner:
       case Hold::curved:
+      case Hold::file:
         motion.fix(v);
         break;
       case Hold::line:
@@ -91,7 +95,7 @@ std::vector<ConstraintSummary> summarize_defaults(const Scene& scene,
                                                   const Arrangement& arrangement) {
   std::vector<ConstraintSummary> lines;
   const auto add = [&](Hold hold, std::string_view kind, std::string_view note) {
-    const bool stays = hold == Hold::corner || hold == Hold::curved;
+    const bool stays = hold == Hold::corner || hold == Hold::curved || hold == Hold::file;
     std::size_t number = 0;
     for (Index v = 0; v < scene.points.size(); ++v) {
       const bool overruled =
@@ -107,6 +111,7 @@ std::vector<ConstraintSummary> summarize_defaults(const Scene& scene,
   const bool surface = scene.type == MeshType::surface;
   const bool volume = scene.type == MeshType::volume;
   add(Hold::corner, "fixed", "corners");
+  add(Hold::file, "fixed", scene.constraints.held.text);
   add(Hold::curved, "fixed",
       surface  ? "interfaces that bend"
       : volume ? "skin and interfaces that bend"

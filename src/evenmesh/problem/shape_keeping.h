@@ -17,6 +17,7 @@ enum class Hold : std::uint8_t {
   nothing,  // it may do anything: it is inside, or in no cell
   corner,   // stays: curves end, meet or turn there
   curved,   // stays: it lies on a curve or face that bends there
+  file,     // stays: something else in the file hangs on its place
   line,     // slides along a straight stretch
   plane,    // slides within a flat part of the skin of a volume mesh
   run,      // slides along its polyline
