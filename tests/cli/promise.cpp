@@ -10,7 +10,7 @@
 #include "evenmesh/mesh/topology.h"
 #include "evenmesh/problem/constraints.h"
 #include "evenmesh/quality/quality.h"
-#include "tests/io/only_coordinates.h"
+#include "tests/io/patch_checker.h"
 #include "tests/io/temporary_folder.h"
 
 namespace evenmesh::testing {
@@ -56,8 +56,7 @@ void expect_promise(const std::filesystem::path& before, const std::filesystem::
   const MeshFile b = read_mesh(after);
   ASSERT_EQ(a.mesh.point_count(), b.mesh.point_count());
   expect_same_cells(a.mesh.cells(), b.mesh.cells());
-  EXPECT_EQ(
-      difference_beside_coordinates(a, b.mesh.points(), read_bytes(before), read_bytes(after)), "");
+  EXPECT_EQ(difference_of_files(a, b.mesh.points(), before, after), "");
   const Orientation orientation = find_orientation(a.mesh);
   expect_fixed_vertices_have_their_bits(a.mesh, b.mesh, orientation);
   expect_no_worse(a.mesh, b.mesh, orientation);

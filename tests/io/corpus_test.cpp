@@ -3,7 +3,6 @@
 // Every file of the corpus in a format that is read: read or refused as it should be, and patched
 // without a trace.
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -13,7 +12,7 @@
 #include "evenmesh/base/error.h"
 #include "evenmesh/io/format.h"
 #include "evenmesh/io/mesh_file.h"
-#include "tests/io/only_coordinates.h"
+#include "tests/io/patch_checker.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/places.h"
 
@@ -22,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::corpus_dir;
-using testing::difference_beside_coordinates;
 using testing::read_bytes;
 using testing::written;
 
@@ -196,24 +194,6 @@ void expect_same_mesh(const Mesh& a, const Cells& cells, Points points, const st
   EXPECT_EQ(std::memcmp(a.points().data(), points.data(), points.size_bytes()), 0) << name;
 }
 
-/// The formats of only_coordinates.h; tools/check_patch.py, which shares no code with the readers
-/// either, knows them all.
-bool knows_format(const MeshFile& file) {
-  const std::string_view format = file.patch->format();
-  return format == "obj" || format == "msh" || format.starts_with("stl");
-}
-
-void expect_checker_agrees(const fs::path& before, const std::string& after) {
-  const testing::TemporaryFolder folder;
-  const fs::path changed = folder.write(before.filename().string(), after);
-  const fs::path tool = testing::source_dir() / "tools" / "check_patch.py";
-  const std::string python = fs::exists("/usr/bin/python3") ? "/usr/bin/python3 " : "python3 ";
-  const std::string command = python + tool.string() + " " + (corpus_dir() / before).string() +
-                              " " + changed.string() + " > " + (folder.path() / "said").string() +
-                              " 2>&1";
-  EXPECT_EQ(std::system(command.c_str()), 0) << before << read_bytes(folder.path() / "said");
-}
-
 class Corpus : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -262,11 +242,9 @@ TEST_F(Corpus, OnlyCoordinatesOfMovedVerticesChange) {
     const MeshFile file = read_mesh(input);
     const std::vector<Vec3> points = moved_points(file.mesh);
     const std::string after = written(file, points);
-    if (knows_format(file)) {
-      EXPECT_EQ(difference_beside_coordinates(file, points, before, after), "") << path;
-    } else {
-      expect_checker_agrees(path, after);
-    }
+    const testing::TemporaryFolder folder;
+    const fs::path changed = folder.write(path.filename().string(), after);
+    EXPECT_EQ(testing::difference_of_files(file, points, corpus_dir() / path, changed), "") << path;
     const MeshFile again = read_mesh(InputFile::borrow(after, path.string()));
     expect_same_mesh(again.mesh, file.mesh.cells(), file.patch->representable(points),
                      path.string());
