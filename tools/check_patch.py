@@ -343,7 +343,9 @@ def ply_header(data):
             elements.append((words[1], int(words[2]), []))
         elif words[:1] == ["property"]:
             elements[-1][2].append(words[1:])
-    return encoding, elements, end.end() + len(newline[1])
+    # Some programs end only this line with CR LF. In a file of lone CRs a line feed is data.
+    pair = newline[1] != b"\r" and data[end.end():].startswith(b"\r\n")
+    return encoding, elements, end.end() + (2 if pair else 1)
 
 
 def parse_ply(data):

@@ -37,8 +37,8 @@ constexpr const char* kExamples = R"(Examples:
   evenmesh grid.obj -o out.obj --cost local=0.3,barycenter=0.3 --fix boundary
 
 Makes the cells of a mesh even by moving its vertices, never its connectivity, and never
-hands back a mesh that is worse. Reads and patches OBJ, STL, OFF, Gmsh MSH, MEDIT
-(.mesh, .meshb), SU2 and decks of Abaqus and CalculiX, gzipped or not.
+hands back a mesh that is worse. Reads and patches OBJ, STL, OFF, PLY, Gmsh MSH,
+MEDIT (.mesh, .meshb), SU2 and decks of Abaqus and CalculiX, gzipped or not.
 )";
 
 constexpr const char* kExitCodes = R"(

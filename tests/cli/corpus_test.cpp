@@ -39,7 +39,7 @@ std::vector<fs::path> corpus_files() {
     std::string suffix = entry.path().extension().string();
     std::ranges::transform(suffix, suffix.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array<std::string_view, 8> kSuffixes = {".obj", ".stl", ".off",  ".msh",
+    constexpr std::array<std::string_view, 9> kSuffixes = {".obj", ".stl", ".off",  ".msh",  ".ply",
                                                            ".inp", ".su2", ".mesh", ".meshb"};
     if (!entry.is_regular_file() || std::ranges::find(kSuffixes, suffix) == kSuffixes.end())
       continue;

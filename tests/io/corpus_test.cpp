@@ -33,7 +33,7 @@ bool has_known_format(const fs::path& path) {
   if (suffix == ".inp") return read_bytes(path).starts_with("*");
   if (suffix == ".mesh") return read_bytes(path).starts_with("MeshVersionFormatted");
   return suffix == ".obj" || suffix == ".stl" || suffix == ".msh" || suffix == ".off" ||
-         suffix == ".su2";
+         suffix == ".ply" || suffix == ".su2";
 }
 
 std::vector<fs::path> corpus_files(bool readable_formats) {
@@ -64,6 +64,13 @@ const std::map<std::string, Outcome> kOutcomes{
     {"hostile/off_comments_blank.off", {3, 1, ""}},
     {"hostile/off_huge_counts.off", refused(":2: promises 4000000000 vertices")},
     {"hostile/off_negative_count.off", refused(":2: the number of vertices is -3")},
+    {"format_features/assimp__issue623.ply", refused(":15: '7.941797' is not a whole number")},
+    {"hostile/ply_big_endian_double.ply", {3, 1, ""}},
+    {"hostile/ply_face_before_vertex.ply", {3, 1, ""}},
+    {"hostile/ply_huge_list.ply", refused("byte 207: promises 2147483647 numbers in a list")},
+    {"malformed/assimp__crash-30d6d0f7c529b3b66b4131700b7a4580cd7082df.ply",
+     refused("' is no type of a PLY")},
+    {"malformed/trimesh__points_emptyface.ply", {1024, 0, "vertices but no faces"}},
     {"malformed/assimp__OutOfMemory.off", refused(":2: promises 353535235358 vertices")},
     {"malformed/assimp__invalid.off", refused(":7: face 1 has 0 of 2 vertices")},
     {"hostile/ascii_comma.stl",
@@ -219,8 +226,9 @@ TEST_F(Corpus, OtherFormatsAreRefusedWithTheListOfThoseThatAreRead) {
       read_mesh(corpus_dir() / path);
       ADD_FAILURE() << path << " was read";
     } catch (const IoError& error) {
-      EXPECT_NE(std::string(error.what()).find("evenmesh reads OBJ, STL, OFF, Gmsh MSH, MEDIT"),
-                std::string::npos)
+      EXPECT_NE(
+          std::string(error.what()).find("evenmesh reads OBJ, STL, OFF, PLY, Gmsh MSH, MEDIT"),
+          std::string::npos)
           << error.what();
     }
   }

@@ -45,13 +45,13 @@ TEST(ReadMesh, RefusesOtherFormatsAndSaysWhichAreRead) {
   const TemporaryFolder folder;
   const std::pair<const char*, std::string_view> files[] = {
       {"a.msh", "$NOD\n1\n1 0 0 0\n"},
-      {"a.obj", "ply\nformat ascii 1.0\n"},
+      {"a.vtu", "<?xml version='1.0'?>\n"},
       {"a.vtk", "# vtk DataFile Version 3.0\n"},
       {"a.inp", "1 2 3\n"},
       {"a.bdf", "CEND\nBEGIN BULK\n"}};
   for (const auto& [name, content] : files) {
     const std::string message = refusal(folder.write(name, content));
-    EXPECT_TRUE(contains(message, "OBJ, STL, OFF, Gmsh MSH")) << message;
+    EXPECT_TRUE(contains(message, "OBJ, STL, OFF, PLY, Gmsh MSH")) << message;
     EXPECT_TRUE(contains(message, name)) << message;
   }
 }

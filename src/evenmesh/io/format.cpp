@@ -15,6 +15,7 @@
 #include "evenmesh/io/msh.h"
 #include "evenmesh/io/obj.h"
 #include "evenmesh/io/off.h"
+#include "evenmesh/io/ply.h"
 #include "evenmesh/io/stl_ascii.h"
 #include "evenmesh/io/stl_binary.h"
 #include "evenmesh/io/su2.h"
@@ -27,7 +28,8 @@ namespace {
 constexpr std::size_t kLookAt = 4096;
 
 constexpr std::string_view kReads =
-    "evenmesh reads OBJ, STL, OFF, Gmsh MSH, MEDIT (.mesh, .meshb), SU2 and the decks of Abaqus "
+    "evenmesh reads OBJ, STL, OFF, PLY, Gmsh MSH, MEDIT (.mesh, .meshb), SU2 and the decks of "
+    "Abaqus "
     "and "
     "CalculiX, and all of them compressed with gzip";
 
@@ -42,6 +44,7 @@ constexpr std::array kFormats{
     FormatTraits{Format::stl_ascii, "stl_ascii", "an STL file", ".stl", read_stl_ascii},
     FormatTraits{Format::stl_binary, "stl_binary", "an STL file", ".stl", read_stl_binary},
     FormatTraits{Format::off, "off", "an OFF file", ".off", without_options<read_off>},
+    FormatTraits{Format::ply, "ply", "a PLY file", ".ply", without_options<read_ply>},
     FormatTraits{Format::msh, "msh", "a Gmsh file", ".msh", without_options<read_msh>},
     FormatTraits{Format::medit, "medit", "a MEDIT file", ".mesh", without_options<read_medit>},
     FormatTraits{Format::meshb, "meshb", "a binary MEDIT file", ".meshb",
@@ -63,8 +66,6 @@ constexpr std::array kSignatures{
     Signature{"# vtk datafile", "a legacy VTK file (.vtk)"},
     Signature{"<?xml", "an XML file, perhaps VTK (.vtu, .vtp)"},
     Signature{"<vtkfile", "a VTK file (.vtu, .vtp)"},
-    Signature{"ply\n", "a PLY file (.ply)"},
-    Signature{"ply\r", "a PLY file (.ply)"},
     Signature{"foamfile", "an OpenFOAM file"},
     Signature{"BZh", "compressed with bzip2; unpack it with bunzip2 first"},
     Signature{"\xfd"
@@ -84,7 +85,6 @@ constexpr std::array kSuffixes{
     Signature{".mesh", "a .mesh file, but not MEDIT's"},
     Signature{".vtk", "a VTK file without its first line"},
     Signature{".vtu", "a .vtu file without <VTKFile>"},
-    Signature{".ply", "a PLY file"},
     Signature{".bdf", "a Nastran deck"},
     Signature{".dat", "a .dat file"},
     Signature{".inp", "a .inp file, but no deck of Abaqus or CalculiX; perhaps AVS UCD"},
@@ -174,6 +174,10 @@ bool looks_like_msh(std::string_view begin) {
   return word == "$MeshFormat" || word == "$Comments";
 }
 
+bool looks_like_ply(std::string_view begin) {
+  return begin.size() > 3 && begins(begin, "ply") && is_eol(begin[3]);
+}
+
 bool looks_like_su2(std::string_view text) {
   const std::string_view word = first_word(text, '%');
   for (const std::string_view key : {"NDIME", "NZONE", "IZONE", "NELEM", "NPOIN", "NMARK"}) {
@@ -240,6 +244,7 @@ Format find_format(const InputFile& input) {
   }
   if (begin.starts_with("\xEF\xBB\xBF")) begin.remove_prefix(3);
   if (looks_like_msh(begin)) return Format::msh;
+  if (looks_like_ply(begin)) return Format::ply;
   if (looks_like_meshb(begin)) return Format::meshb;
   const bool text = is_text(begin);
   if (text && looks_like_ascii_stl(begin)) return Format::stl_ascii;

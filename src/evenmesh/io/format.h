@@ -13,7 +13,18 @@
 
 namespace evenmesh {
 
-enum class Format : std::uint8_t { obj, stl_ascii, stl_binary, off, msh, medit, meshb, su2, inp };
+enum class Format : std::uint8_t {
+  obj,
+  stl_ascii,
+  stl_binary,
+  off,
+  ply,
+  msh,
+  medit,
+  meshb,
+  su2,
+  inp
+};
 
 /// One row of the table of formats.
 struct FormatTraits {
