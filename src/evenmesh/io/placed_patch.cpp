@@ -74,7 +74,8 @@ double CoordinateCode::representable(double coordinate) const {
   if (kind == Kind::float64) return coordinate;
   if (kind == Kind::float32) return nearest_float(coordinate);
   if (!single && widest == 0) return coordinate;
-  const std::string_view text = text_of(coordinate, *this).view();
+  const NumberText written = text_of(coordinate, *this);
+  const std::string_view text = written.view();
   double value = 0.0;
   scan_number(text.data(), text.data() + text.size(), value);
   return value;
