@@ -48,6 +48,7 @@ class NumberLine {
 
   bool at_end() const { return p_ == last_; }
   const char* place() const { return p_; }
+  const char* end() const { return last_; }
   /// @return  false where there is no whole number, which may be a name
   bool take(std::int64_t& value) {
     const char* const stop = scan_whole(p_, last_, value);
@@ -357,7 +358,7 @@ class Reader {
     std::int64_t node = 0;
     if (!line.take(node)) {
       input_->fail_at(place, fmt::format("{} is no number of a node (in element {})",
-                                         quoted_word(place, place + 20), element));
+                                         quoted_word(place, line.end()), element));
     }
     const Index found =
         node > 0 ? scope.node_numbers.find(static_cast<std::uint64_t>(node)) : NodeNumbers::kNone;

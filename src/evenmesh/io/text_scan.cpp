@@ -91,7 +91,7 @@ const char* scan_value(const char* p, const char* end, double& value, Exponents 
                ? nullptr
                : (value = again, q);
   }
-  if (*digits == '-' && p != digits) return nullptr;  // "+-1"
+  if (digits == end || (*digits == '-' && p != digits)) return nullptr;  // "+", "+-1"
   if (error == std::errc::result_out_of_range && is_tiny(digits, stop)) {
     number = *digits == '-' ? -0.0 : 0.0;
   } else if (error != std::errc() || !std::isfinite(number)) {
