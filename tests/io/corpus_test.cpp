@@ -248,14 +248,14 @@ TEST_F(Corpus, OnlyCoordinatesOfMovedVerticesChange) {
     const std::string before = read_bytes(corpus_dir() / path);
     const auto input = InputFile::borrow(before, path.string());
     const MeshFile file = read_mesh(input);
-    const std::vector<Vec3> points = moved_points(file.mesh);
+    // As write_mesh() has it: nodes in the middle of edges go where their corners go.
+    const std::vector<Vec3> points = file.representable(moved_points(file.mesh));
     const std::string after = written(file, points);
     const testing::TemporaryFolder folder;
     const fs::path changed = folder.write(path.filename().string(), after);
     EXPECT_EQ(testing::difference_of_files(file, points, corpus_dir() / path, changed), "") << path;
     const MeshFile again = read_mesh(InputFile::borrow(after, path.string()));
-    expect_same_mesh(again.mesh, file.mesh.cells(), file.patch->representable(points),
-                     path.string());
+    expect_same_mesh(again.mesh, file.mesh.cells(), points, path.string());
     EXPECT_EQ(again.group_names, file.group_names) << path;
   }
 }

@@ -9,34 +9,24 @@
 #include "evenmesh/io/format.h"
 #include "tests/io/msh_text.h"
 #include "tests/io/only_coordinates.h"
+#include "tests/io/read_text.h"
 #include "tests/io/temporary_folder.h"
 
 namespace evenmesh {
 namespace {
 
+using testing::cell_of;
 using testing::MshModel;
 using testing::MshNumbers;
 using testing::MshWriter;
+using testing::points_of;
+using testing::refusal_by;
 using testing::written;
 
 MeshFile read(std::string_view text) { return read_msh(InputFile::borrow(text, "a.msh")); }
 
 std::string refusal(std::string_view text) {
-  try {
-    read(text);
-  } catch (const IoError& error) {
-    return error.what();
-  }
-  return "was read";
-}
-
-std::vector<Index> vertices(const MeshFile& file, std::size_t cell) {
-  const auto span = file.mesh.cells().vertices(cell);
-  return {span.begin(), span.end()};
-}
-
-std::vector<Vec3> points_of(const MeshFile& file) {
-  return {file.mesh.points().begin(), file.mesh.points().end()};
+  return refusal_by([&] { read(text); });
 }
 
 struct Layout {
@@ -96,9 +86,9 @@ TEST(Msh, ReadsEveryVersionAndByteOrderAlike) {
               (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.5, 1}}));
     ASSERT_EQ(file.mesh.cells().size(), 2u);
     EXPECT_EQ(file.mesh.cells().kind(0), CellKind::triangle);
-    EXPECT_EQ(vertices(file, 0), (std::vector<Index>{0, 2, 1}));
+    EXPECT_EQ(cell_of(file, 0), (std::vector<Index>{0, 2, 1}));
     EXPECT_EQ(file.mesh.cells().kind(1), CellKind::tet);
-    EXPECT_EQ(vertices(file, 1), (std::vector<Index>{0, 1, 2, 3}));
+    EXPECT_EQ(cell_of(file, 1), (std::vector<Index>{0, 1, 2, 3}));
     EXPECT_EQ(file.group_names,
               (std::vector<std::string>{"", "physical wet side", "physical steel"}));
     EXPECT_EQ(file.mesh.cells().group(0), 1u);
@@ -117,7 +107,7 @@ TEST(Msh, MakesACellOfEveryKindOfFirstOrder) {
     ASSERT_EQ(file.mesh.cells().size(), 6u);
     for (std::size_t i = 0; i < 6; ++i) {
       EXPECT_EQ(file.mesh.cells().kind(i), kinds[i]);
-      const std::vector<Index> corners = vertices(file, i);
+      const std::vector<Index> corners = cell_of(file, i);
       for (std::size_t k = 0; k < corners.size(); ++k) EXPECT_EQ(corners[k], k);
     }
     EXPECT_TRUE(file.notes.empty());
@@ -238,7 +228,7 @@ TEST(Msh, LooksUpTagsFarApart) {
                            "$Nodes\n3\n2000000000 0 0 0\n5 1 0 0\n70000 0 1 0\n$EndNodes\n"
                            "$Elements\n1\n1 2 0 5 70000 2000000000\n$EndElements\n";
   const MeshFile file = read(text);
-  EXPECT_EQ(vertices(file, 0), (std::vector<Index>{1, 2, 0}));
+  EXPECT_EQ(cell_of(file, 0), (std::vector<Index>{1, 2, 0}));
   EXPECT_TRUE(file.notes.empty());
   EXPECT_TRUE(std::ranges::equal(file.patch->vertex_numbers(),
                                  std::vector<std::uint64_t>{2000000000, 5, 70000}));

@@ -5,30 +5,20 @@
 
 #include "evenmesh/base/error.h"
 #include "tests/io/only_coordinates.h"
+#include "tests/io/read_text.h"
 
 namespace evenmesh {
 namespace {
 
+using testing::cell_of;
+using testing::points_of;
+using testing::refusal_by;
 using testing::written;
 
 MeshFile read(std::string_view text) { return read_obj(InputFile::borrow(text, "a.obj")); }
 
 std::string refusal(std::string_view text) {
-  try {
-    read(text);
-  } catch (const IoError& error) {
-    return error.what();
-  }
-  return "was read";
-}
-
-std::vector<Index> vertices(const MeshFile& file, std::size_t cell) {
-  const auto span = file.mesh.cells().vertices(cell);
-  return {span.begin(), span.end()};
-}
-
-std::vector<Vec3> points_of(const MeshFile& file) {
-  return {file.mesh.points().begin(), file.mesh.points().end()};
+  return refusal_by([&] { read(text); });
 }
 
 const std::string kFive = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 2 0\n";
@@ -39,7 +29,7 @@ TEST(Obj, MakesTrianglesQuadsAndPolygons) {
   EXPECT_EQ(file.mesh.cells().kind(0), CellKind::triangle);
   EXPECT_EQ(file.mesh.cells().kind(1), CellKind::quad);
   EXPECT_EQ(file.mesh.cells().kind(2), CellKind::polygon);
-  EXPECT_EQ(vertices(file, 2), (std::vector<Index>{0, 1, 2, 4, 3}));
+  EXPECT_EQ(cell_of(file, 2), (std::vector<Index>{0, 1, 2, 4, 3}));
   EXPECT_EQ(file.mesh.points()[4], Vec3(0.5, 2, 0));
 }
 
@@ -47,17 +37,17 @@ TEST(Obj, ReadsEveryFormOfReference) {
   const MeshFile file = read(kFive +
                              "f 1/1 2/2 3/3\nf 1//1 2//2 3//3\nf 1/1/1 2/2/2 3/-3/-3\n"
                              "f +1 2/ 3//\n");
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(vertices(file, i), (std::vector<Index>{0, 1, 2}));
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(cell_of(file, i), (std::vector<Index>{0, 1, 2}));
 }
 
 TEST(Obj, CountsNegativeIndicesBackFromTheFace) {
   const MeshFile file = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n");
-  EXPECT_EQ(vertices(file, 0), (std::vector<Index>{0, 1, 2}));
-  EXPECT_EQ(vertices(file, 1), (std::vector<Index>{0, 2, 3}));
+  EXPECT_EQ(cell_of(file, 0), (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(cell_of(file, 1), (std::vector<Index>{0, 2, 3}));
 }
 
 TEST(Obj, TakesFacesBeforeTheirVertices) {
-  EXPECT_EQ(vertices(read("f 1 2 3\n" + kFive), 0), (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(cell_of(read("f 1 2 3\n" + kFive), 0), (std::vector<Index>{0, 1, 2}));
 }
 
 TEST(Obj, JoinsContinuedLinesWithAnyLineEnd) {
@@ -66,7 +56,7 @@ TEST(Obj, JoinsContinuedLinesWithAnyLineEnd) {
         read("\\" + eol + "v 0 \\" + eol + "0 0" + eol + "v\\" + eol + " 1 0 0" + eol + "v 1 1 0" +
              eol + "f 1 \\" + eol + " 2\\" + eol + "\t3" + eol + "vt 0 \\" + eol + "v 7 7 7" + eol);
     EXPECT_EQ(file.mesh.point_count(), 3u);
-    EXPECT_EQ(vertices(file, 0), (std::vector<Index>{0, 1, 2}));
+    EXPECT_EQ(cell_of(file, 0), (std::vector<Index>{0, 1, 2}));
   }
 }
 
@@ -88,7 +78,7 @@ TEST(Obj, GroupsCellsByObjectGroupAndMaterial) {
 }
 
 TEST(Obj, AcceptsAFaceThatRepeatsAVertex) {
-  EXPECT_EQ(vertices(read(kFive + "f 5 3 3 1\n"), 0), (std::vector<Index>{4, 2, 2, 0}));
+  EXPECT_EQ(cell_of(read(kFive + "f 5 3 3 1\n"), 0), (std::vector<Index>{4, 2, 2, 0}));
 }
 
 TEST(Obj, RefusesWithTheLineAtFault) {

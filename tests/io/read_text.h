@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "evenmesh/base/error.h"
 #include "evenmesh/io/format.h"
 
@@ -19,14 +21,35 @@ inline MeshFile read_text(std::string_view text, const std::string& name) {
   return read_mesh(InputFile::borrow(kept.emplace_back(text), name));
 }
 
-/// The message with which the text is refused.
-inline std::string refusal_of(std::string_view text, const std::string& name) {
+/// The message of the IoError that `read` throws.
+template <typename Read>
+std::string refusal_by(const Read& read) {
   try {
-    read_text(text, name);
+    read();
   } catch (const IoError& error) {
     return error.what();
   }
   return "was read";
+}
+
+/// The message with which the text is refused.
+inline std::string refusal_of(std::string_view text, const std::string& name) {
+  return refusal_by([&] { read_text(text, name); });
+}
+
+/// A text, and how the message behind the name of the file begins.
+struct Refusal {
+  std::string text, message;
+};
+inline void expect_refusals(const std::string& name, const std::vector<Refusal>& refusals) {
+  for (const auto& [text, message] : refusals) {
+    const std::string refusal = refusal_of(text, name);
+    EXPECT_TRUE(refusal.starts_with(name + message)) << refusal << "\n  not " << message;
+  }
+}
+
+inline std::vector<Vec3> points_of(const MeshFile& file) {
+  return {file.mesh.points().begin(), file.mesh.points().end()};
 }
 
 inline std::vector<Index> cell_of(const MeshFile& file, std::size_t cell) {

@@ -33,19 +33,6 @@ std::vector<std::vector<Index>> leaders_of(CellKind kind, EdgeOrder order, std::
   return result;
 }
 
-TEST(SecondOrder, KnowsHowManyNodesCellsHave) {
-  const std::vector<std::pair<CellKind, std::vector<std::size_t>>> known = {
-      {CellKind::triangle, {3, 6, 7}},    {CellKind::quad, {4, 8, 9}},
-      {CellKind::tet, {4, 10, 11}},       {CellKind::hex, {8, 20, 26, 27}},
-      {CellKind::wedge, {6, 15, 18, 19}}, {CellKind::pyramid, {5, 13, 14}}};
-  for (const auto& [kind, counts] : known) {
-    for (std::size_t n = 0; n < 40; ++n) {
-      const bool wanted = std::find(counts.begin(), counts.end(), n) != counts.end();
-      EXPECT_EQ(has_node_count(kind, n), wanted) << traits(kind).name << " " << n;
-    }
-  }
-}
-
 TEST(SecondOrder, EveryEdgeHasOneMiddleInEitherOrder) {
   for (const EdgeOrder order : {EdgeOrder::levels, EdgeOrder::gmsh}) {
     for (const CellKind kind : {CellKind::triangle, CellKind::quad, CellKind::tet, CellKind::hex,
@@ -103,7 +90,7 @@ TEST(SecondOrder, GmshFilesAreReadAndTheirMiddlesFollow) {
   const MeshFile file = testing::read_text(text, "a.msh");
   EXPECT_EQ(testing::cell_of(file, 0), (std::vector<Index>{0, 1, 2}));
   EXPECT_EQ(file.followers.size(), 3u);
-  std::vector<Vec3> points(file.mesh.points().begin(), file.mesh.points().end());
+  std::vector<Vec3> points = testing::points_of(file);
   points[1] = Vec3(4, 0, 0);
   EXPECT_EQ(file.representable(points)[3], Vec3(2, 0, 0));
   EXPECT_EQ(file.representable(points)[4], Vec3(2, 1, 0));

@@ -9,27 +9,21 @@
 #include "evenmesh/io/format.h"
 #include "evenmesh/io/stl_soup.h"
 #include "tests/io/only_coordinates.h"
+#include "tests/io/read_text.h"
 
 namespace evenmesh {
 namespace {
 
+using testing::points_of;
+using testing::refusal_by;
 using testing::written;
 
 MeshFile read(std::string_view bytes, const ReadOptions& options = {}) {
   return read_mesh(InputFile::borrow(bytes, "a.stl"), options);
 }
 
-std::string refusal(std::string_view bytes) {
-  try {
-    read(bytes);
-  } catch (const IoError& error) {
-    return error.what();
-  }
-  return "was read";
-}
-
-std::vector<Vec3> points_of(const MeshFile& file) {
-  return {file.mesh.points().begin(), file.mesh.points().end()};
+std::string refusal(std::string_view text) {
+  return refusal_by([&] { read(text); });
 }
 
 using Corners = std::array<Vec3, 3>;
@@ -103,7 +97,7 @@ TEST(StlBinary, KeepsAVertexThatMovesLessThanSinglePrecisionShows) {
   std::vector<Vec3> points = points_of(file);
   points[1].x() += 1e-12;
   EXPECT_EQ(written(file, points), bytes);
-  EXPECT_EQ(file.patch->representable(points), points_of(file));
+  EXPECT_EQ(file.representable(points), points_of(file));
 }
 
 TEST(StlBinary, RepresentableIsWhatIsReadBack) {
@@ -113,7 +107,7 @@ TEST(StlBinary, RepresentableIsWhatIsReadBack) {
   points[1] = {1.0 / 3.0, -0.0, 1e-50};
   points[2] = {-1e-50, 1.1, 0.7};
   const std::string out = written(file, points);
-  const std::vector<Vec3> wanted = file.patch->representable(points);
+  const std::vector<Vec3> wanted = file.representable(points);
   const MeshFile again = read(out);
   EXPECT_EQ(std::memcmp(again.mesh.points().data(), wanted.data(), 4 * sizeof(Vec3)), 0);
 }
@@ -124,7 +118,7 @@ TEST(StlBinary, HoldsTheNearestFiniteNumberWhereADoubleIsTooLarge) {
   std::vector<Vec3> points = points_of(file);
   points[3] = {1e300, -1e300, 0};
   const double largest = std::numeric_limits<float>::max();
-  EXPECT_EQ(file.patch->representable(points)[3], Vec3(largest, -largest, 0));
+  EXPECT_EQ(file.representable(points)[3], Vec3(largest, -largest, 0));
   EXPECT_EQ(float_at(written(file, points), 1, 6), std::numeric_limits<float>::max());
 }
 

@@ -14,6 +14,7 @@ namespace evenmesh {
 namespace {
 
 using testing::cell_of;
+using testing::expect_refusals;
 using testing::read_bytes;
 using testing::read_text;
 using testing::readable_beginnings;
@@ -23,17 +24,6 @@ using testing::TemporaryFolder;
 using testing::written;
 
 using Numbers = std::vector<Index>;
-
-struct Case {
-  std::string text, message;
-};
-
-void expect_refusals(const std::string& name, const std::vector<Case>& cases) {
-  for (const auto& [text, message] : cases) {
-    const std::string refusal = refusal_of(text, name);
-    EXPECT_TRUE(refusal.starts_with(name + message)) << refusal << "\n  not " << message;
-  }
-}
 
 // ---- OFF
 // ------------------------------------------------------------------------------------------
@@ -99,7 +89,7 @@ TEST(Off, ReplacesOnlyTheCoordinatesThatMoved) {
       "COFF # head\r\n3 1 0\r\n\r\n\t+1.50  2e0\t3 255 0 0 # w\r\n# 7 7 7\r\n4 5 6.000\r\n7 8 9 1\r"
       "\n3 0 1 2 0.5 0 0";
   const MeshFile file = read_text(text, "a.off");
-  std::vector<Vec3> points(file.mesh.points().begin(), file.mesh.points().end());
+  std::vector<Vec3> points = testing::points_of(file);
   EXPECT_EQ(written(file, points), text);
   points[0].y() = 1.0 / 3.0;
   points[1].z() = -0.0;
@@ -144,7 +134,7 @@ TEST(Medit, PlanarFilesHaveNoThirdCoordinate) {
       "6\nTriangles\n1\n1 2 3 0\nEnd";
   const MeshFile file = read_text(text, "a.mesh");
   EXPECT_EQ(file.held.vertices, (Numbers{1}));
-  std::vector<Vec3> points(file.mesh.points().begin(), file.mesh.points().end());
+  std::vector<Vec3> points = testing::points_of(file);
   points[1] = Vec3(0.5, 0.25, 3);
   EXPECT_EQ(file.representable(points)[1], Vec3(0.5, 0.25, 0));
   std::string expected = text;
@@ -239,7 +229,7 @@ TEST(Meshb, IsReadAndPatchedInEveryVersionAndByteOrder) {
       EXPECT_EQ(file.mesh.points()[2], Vec3(0, 1, 0));
       EXPECT_EQ(file.group_names[1], "ref 6");
       EXPECT_EQ(set_of(file, "nset", "5"), (Numbers{2}));
-      std::vector<Vec3> points(file.mesh.points().begin(), file.mesh.points().end());
+      std::vector<Vec3> points = testing::points_of(file);
       EXPECT_EQ(written(file, points), bytes);
       points[3] = Vec3(0.1, 0.0, 1.0);
       const std::string text = written(file, points);
@@ -280,7 +270,7 @@ TEST(Su2, ReadsCellsAndMarkers) {
   EXPECT_EQ(file.patch->cell_name(1), "element 1 (line 5)");
   EXPECT_EQ(file.patch->vertex_name(3), "node 3 (line 10)");
   EXPECT_EQ(file.patch->first_vertex_number(), 0u);
-  std::vector<Vec3> points(file.mesh.points().begin(), file.mesh.points().end());
+  std::vector<Vec3> points = testing::points_of(file);
   EXPECT_EQ(written(file, points), kSu2);
   points[1].x() = 1.5;
   std::string expected = kSu2;
@@ -321,7 +311,7 @@ TEST(Gzip, CompressedFilesAreReadAndComeOutCompressed) {
   const MeshFile file = read_mesh(folder.write("a.su2.gz", packed));
   EXPECT_EQ(file.patch->format(), "su2");
   EXPECT_EQ(file.bytes, packed.size());
-  std::vector<Vec3> points(file.mesh.points().begin(), file.mesh.points().end());
+  std::vector<Vec3> points = testing::points_of(file);
   write_mesh(file, points, folder.path() / "same.su2.gz");
   EXPECT_EQ(read_bytes(folder.path() / "same.su2.gz"), packed);
   points[1].x() = 1.5;

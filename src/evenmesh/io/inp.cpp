@@ -28,9 +28,8 @@ constexpr std::array<std::string_view, 7> kGenerators = {"NGEN",  "NFILL",  "NCO
                                                          "ELGEN", "ELCOPY", "SYSTEM"};
 
 /// Keywords whose data lines begin with a node or a node set on whose place something hangs.
-constexpr std::array<std::string_view, 8> kHolders = {
-    "BOUNDARY",  "CLOAD",     "CFLUX",       "KINEMATIC COUPLING", "DISTRIBUTING COUPLING",
-    "MASS FLOW", "TRANSFORM", "DISTRIBUTING"};
+constexpr std::array<std::string_view, 5> kHolders = {
+    "BOUNDARY", "CLOAD", "CFLUX", "KINEMATIC COUPLING", "DISTRIBUTING COUPLING"};
 
 /// Their parameters name one.
 constexpr std::array<std::string_view, 6> kHoldingParameters = {
@@ -109,18 +108,26 @@ class Reader {
   // ---- nodes
   // -------------------------------------------------------------------------------------
   void read_nodes() {
-    DeckLines lines(*input_);
+    for_each_block(*input_, [&](const DeckKeyword& keyword, DeckLines& lines, std::size_t scope) {
+      if (keyword.name == "NODE") read_node_block(keyword, lines, scope);
+    });
+  }
+
+  /// Calls read with each keyword, the lines at the first one behind it, and the scope they are in.
+  template <typename Read>
+  void for_each_block(const InputFile& file, const Read& read) {
+    DeckLines lines(file);
     std::size_t scope = 0;
-    bool more = lines.next();
-    while (more) {
+    lines.next();
+    while (!lines.text().empty()) {
       if (!lines.is_keyword()) {
-        more = lines.next();
+        lines.next();
         continue;
       }
       const DeckKeyword keyword = read_keyword(lines);
       scope = enter(keyword, scope);
-      more = lines.next();
-      if (keyword.name == "NODE") more = read_node_block(keyword, lines, scope);
+      lines.next();
+      read(keyword, lines, scope);
     }
   }
 
@@ -142,7 +149,7 @@ class Reader {
     return ends ? 0 : scope;
   }
 
-  bool read_node_block(const DeckKeyword& keyword, DeckLines& lines, std::size_t scope) {
+  void read_node_block(const DeckKeyword& keyword, DeckLines& lines, std::size_t scope) {
     if (keyword.find("INPUT") != nullptr) {
       input_->fail_at(keyword.place,
                       "the nodes are in another file; put them here, or smooth that "
@@ -154,9 +161,7 @@ class Reader {
                       "the nodes are in cylindrical or spherical coordinates "
                       "(SYSTEM); write them in Cartesian ones");
     }
-    bool more = !lines.text().empty();
-    for (; more && !lines.is_keyword(); more = lines.next()) read_node(lines, scope);
-    return more;
+    for (; !lines.text().empty() && !lines.is_keyword(); lines.next()) read_node(lines, scope);
   }
 
   void read_node(const DeckLines& lines, std::size_t scope) {
@@ -225,22 +230,9 @@ class Reader {
   // ---- everything else
   // ---------------------------------------------------------------------------
   void read_rest(const InputFile& file, int depth) {
-    DeckLines lines(file);
-    std::size_t scope = 0;
-    bool more = lines.next();
-    while (more) {
-      if (!lines.is_keyword()) {
-        more = lines.next();
-        continue;
-      }
-      const DeckKeyword keyword = read_keyword(lines);
-      scope = enter(keyword, scope);
-      more = lines.next();
+    for_each_block(file, [&](const DeckKeyword& keyword, DeckLines& lines, std::size_t scope) {
       read_block(file, keyword, lines, scope, depth);
-      while (!lines.text().empty() && !lines.is_keyword() && lines.next()) {
-      }
-      more = !lines.text().empty();
-    }
+    });
   }
 
   void read_block(const InputFile& file, const DeckKeyword& keyword, DeckLines& lines,
@@ -338,12 +330,10 @@ class Reader {
       input_->fail_at(lines.first(), fmt::format("{} is no number of an element",
                                                  quoted_word(lines.first(), lines.last())));
     }
-    bool more = true;
     for (;;) {
       while (!line.at_end()) corners_.push_back(read_corner(line, scope, number));
       const bool wants_more = nodes > 0 ? corners_.size() < nodes : line.goes_on();
-      more = lines.next();
-      if (!wants_more || !more || lines.is_keyword()) break;
+      if (!lines.next() || !wants_more || lines.is_keyword()) break;
       line = NumberLine(lines.first(), lines.last());
     }
     if (nodes > 0 && corners_.size() != nodes) {
@@ -436,16 +426,45 @@ class Reader {
     for (const auto& [key, value] : keyword.parameters) {
       if (is_one_of(kHoldingParameters, key)) holders_.push_back({scope, value});
     }
-    const bool first_field = is_one_of(kHolders, keyword.name);
-    const bool all_fields = keyword.name == "EQUATION" || keyword.name == "MPC";
-    if (!first_field && !all_fields) return;
+    if (keyword.name == "EQUATION") {
+      note_equations(lines, scope);
+    } else if (keyword.name == "MPC") {
+      for_each_field(lines, [&](std::size_t i, std::string_view field) {
+        if (i > 0) holders_.push_back({scope, std::string(field)});  // the first is the type
+      });
+    } else if (is_one_of(kHolders, keyword.name)) {
+      for_each_field(lines, [&](std::size_t i, std::string_view field) {
+        if (i == 0) holders_.push_back({scope, std::string(field)});
+      });
+    }
+  }
+
+  /// Calls visit with place and text of each field of the data lines that is not empty.
+  template <typename Visit>
+  static void for_each_field(DeckLines& lines, const Visit& visit) {
     for (; !lines.text().empty() && !lines.is_keyword(); lines.next()) {
       const auto fields = fields_of(lines.text());
-      const std::size_t wanted = first_field ? 1 : fields.size();
-      for (std::size_t i = 0; i < wanted; ++i) {
-        if (!fields[i].empty()) holders_.push_back({scope, std::string(fields[i])});
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (!fields[i].empty()) visit(i, fields[i]);
       }
     }
+  }
+
+  /// An equation is the number of its terms on a line of its own, then node, degree of freedom and
+  /// coefficient of each.
+  void note_equations(DeckLines& lines, std::size_t scope) {
+    constexpr std::size_t kFieldsOfTerm = 3;
+    std::size_t left = 0;  // fields of the equation at hand
+    for_each_field(lines, [&](std::size_t, std::string_view field) {
+      if (left == 0) {
+        std::int64_t terms = 0;
+        if (scan_whole(field.data(), field.data() + field.size(), terms) != nullptr && terms > 0) {
+          left = kFieldsOfTerm * static_cast<std::size_t>(terms);
+        }
+        return;
+      }
+      if (left-- % kFieldsOfTerm == 0) holders_.push_back({scope, std::string(field)});
+    });
   }
 
   // ---- putting it together

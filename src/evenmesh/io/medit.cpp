@@ -86,39 +86,12 @@ class Reader {
     }
     const std::uint64_t count = scanner_.count("the size of a section");
     scanner_.check_room(count, 2 * std::max<std::size_t>(1, section.corners), section.name);
-    for (std::uint64_t i = 0; i < count; ++i) read_one(section);
-  }
-
-  void read_one(const MeditSection& section) {
-    switch (section.role) {
-      case MeditRole::cells:
-      case MeditRole::edges: {
-        scanner_.next();
-        const std::uint64_t place = scanner_.offset();
-        corners_.clear();
-        for (std::size_t k = 0; k < section.corners; ++k) {
-          corners_.push_back(static_cast<Index>(number("a vertex", content_.vertices())));
-        }
-        const std::int64_t reference = scanner_.integer("the reference of a cell");
-        if (section.role == MeditRole::edges) {
-          content_.add_edge(corners_, reference);
-        } else {
-          content_.add_cell(section.kind, corners_, reference);
-          cell_places_.push_back(place);
-        }
-        break;
-      }
-      case MeditRole::vertices:
-        content_.hold_vertex(static_cast<Index>(number("a vertex", content_.vertices())));
-        break;
-      case MeditRole::edge_list:
-        content_.hold_edge(number("an edge", content_.edges()));
-        break;
-      case MeditRole::cell_list:
-        content_.hold_cell(section.kind, number("a cell", content_.cells_of(section.kind)));
-        break;
-      case MeditRole::too_high:
-        break;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      scanner_.next();
+      if (section.role == MeditRole::cells) cell_places_.push_back(scanner_.offset());
+      content_.add_entry(
+          section, [this](std::string_view what, std::size_t of) { return number(what, of); },
+          [this] { return scanner_.integer("a reference"); });
     }
   }
 
@@ -140,7 +113,6 @@ class Reader {
   MeditContent content_;
   std::vector<std::uint64_t> places_;
   std::vector<std::uint64_t> cell_places_;
-  std::vector<Index> corners_;  // of the cell at hand
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 
 #include <fmt/core.h>
 
@@ -35,6 +34,21 @@ constexpr std::array kSections{
     MeditSection{"PyramidsP2", 87, MeditRole::too_high},
 };
 
+std::uint32_t label_of(std::int64_t reference) {
+  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(reference, 0, 0x7fffffff)) + 1;
+}
+
+/// One set per reference, of the vertices in its list.
+void add_sets(std::string_view kind, std::map<std::int64_t, std::vector<Index>> lists,
+              std::vector<NamedSet>& sets) {
+  for (auto& [reference, vertices] : lists) {
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sets.push_back(named_list(std::string(kind), std::to_string(reference), vertices.size(),
+                              "vertices", std::move(vertices)));
+  }
+}
+
 }  // namespace
 
 const MeditSection* medit_section(std::string_view name) {
@@ -56,15 +70,15 @@ void MeditContent::add_vertex(const Vec3& position, std::int64_t reference) {
   points_.push_back(position);
 }
 
-void MeditContent::add_cell(CellKind kind, std::span<const Index> corners, std::int64_t reference) {
-  cells_of_[static_cast<std::size_t>(kind)].push_back(cells_.size());
-  cells_.add(kind, corners);
+void MeditContent::add_cell_or_edge(const MeditSection& section, std::int64_t reference) {
+  if (section.role == MeditRole::edges) {
+    edges_.insert(edges_.end(), corners_.begin(), corners_.end());
+    edge_references_.push_back(reference);
+    return;
+  }
+  cells_of_[static_cast<std::size_t>(section.kind)].push_back(cells_.size());
+  cells_.add(section.kind, corners_);
   references_.push_back(reference);
-}
-
-void MeditContent::add_edge(std::span<const Index> ends, std::int64_t reference) {
-  edges_.insert(edges_.end(), ends.begin(), ends.end());
-  edge_references_.push_back(reference);
 }
 
 void MeditContent::hold_edge(std::size_t edge) {
@@ -79,76 +93,40 @@ void MeditContent::hold_cell(CellKind kind, std::size_t number) {
 
 MeshFile MeditContent::take_file() {
   MeshFile file;
+  file.group_names = {""};
+  if (cells_.empty()) file.notes.push_back("The file has vertices but no cells.");
   const bool volume = std::any_of(cells_.kinds().begin(), cells_.kinds().end(),
                                   [](CellKind kind) { return traits(kind).dimension == 3; });
-  // Surface cells of a volume are its sides, and their references conditions there; edges those of
-  // a surface.
-  std::map<std::int64_t, std::uint32_t> groups;
-  std::map<std::int64_t, std::vector<std::size_t>> sides;
-  file.group_names = {""};
+  std::map<std::int64_t, std::vector<Index>> sides;
   SideLabels labels;
-  const auto label = [](std::int64_t reference) {
-    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(reference, 0, 0x7fffffff)) + 1;
+  const auto add_side = [&](std::int64_t reference, std::span<const Index> vertices) {
+    labels.add(vertices, label_of(reference));
+    auto& list = sides[reference];
+    list.insert(list.end(), vertices.begin(), vertices.end());
   };
+  std::map<std::int64_t, std::uint32_t> groups;
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    const bool is_side = volume && traits(cells_.kind(cell)).dimension == 2;
-    if (is_side) {
-      sides[references_[cell]].push_back(cell);
-      labels.add(cells_.vertices(cell), label(references_[cell]));
-    } else if (references_[cell] != 0) {
+    const std::int64_t reference = references_[cell];
+    if (volume && traits(cells_.kind(cell)).dimension == 2) {
+      add_side(reference, cells_.vertices(cell));
+    } else if (reference != 0) {
       const auto next = static_cast<std::uint32_t>(file.group_names.size());
-      const auto [at, is_new] = groups.emplace(references_[cell], next);
-      if (is_new) file.group_names.push_back(fmt::format("ref {}", references_[cell]));
+      const auto [at, is_new] = groups.emplace(reference, next);
+      if (is_new) file.group_names.push_back(fmt::format("ref {}", reference));
       cells_.set_group(cell, at->second);
     }
   }
-  for (auto& [reference, members] : sides) {
-    const std::size_t count = members.size();
-    file.sets.push_back({.kind = "marker",
-                         .name = std::to_string(reference),
-                         .members = count,
-                         .unit = "sides",
-                         .vertices = [list = std::make_shared<const std::vector<std::size_t>>(
-                                          std::move(members))](const Cells& cells) {
-                           std::vector<Index> vertices;
-                           for (const std::size_t cell : *list) {
-                             const auto corners = cells.vertices(cell);
-                             vertices.insert(vertices.end(), corners.begin(), corners.end());
-                           }
-                           return vertices;
-                         }});
+  for (std::size_t e = 0; e < edges() && !volume; ++e) {
+    add_side(edge_references_[e], std::span(edges_).subspan(2 * e, 2));
   }
-  std::map<std::int64_t, std::vector<Index>> edge_vertices;
-  for (std::size_t e = 0; e < edges(); ++e) {
-    const std::span<const Index> ends(&edges_[2 * e], 2);
-    if (!volume) labels.add(ends, label(edge_references_[e]));
-    auto& to = edge_vertices[edge_references_[e]];
-    to.insert(to.end(), ends.begin(), ends.end());
-  }
-  const auto add_set = [&file](std::string kind, std::int64_t reference, std::string unit,
-                               std::size_t members, std::vector<Index> vertices) {
-    file.sets.push_back({.kind = std::move(kind),
-                         .name = std::to_string(reference),
-                         .members = members,
-                         .unit = std::move(unit),
-                         .vertices = [list = std::make_shared<const std::vector<Index>>(
-                                          std::move(vertices))](const Cells&) { return *list; }});
-  };
-  for (auto& [reference, vertices] : edge_vertices) {
-    if (volume) break;
-    const std::size_t count = vertices.size() / 2;
-    add_set("marker", reference, "sides", count, std::move(vertices));
-  }
-  for (auto& [reference, vertices] : vertices_by_reference_) {
-    const std::size_t count = vertices.size();
-    add_set("nset", reference, "vertices", count, std::move(vertices));
-  }
+  add_sets("marker", std::move(sides), file.sets);
+  add_sets("nset", std::move(vertices_by_reference_), file.sets);
+
   const std::vector<Index> between = labels.between();
   held_.insert(held_.end(), between.begin(), between.end());
   std::sort(held_.begin(), held_.end());
   held_.erase(std::unique(held_.begin(), held_.end()), held_.end());
   file.held = {std::move(held_), "required by the file, or between two references"};
-  if (cells_.empty()) file.notes.push_back("The file has vertices but no cells.");
   file.mesh = Mesh(std::move(points_), std::move(cells_));
   return file;
 }

@@ -44,23 +44,42 @@ inline constexpr int kMeditEnd = 54;
 class MeditContent {
  public:
   void add_vertex(const Vec3& position, std::int64_t reference);
-  void add_cell(CellKind kind, std::span<const Index> corners, std::int64_t reference);
-  void add_edge(std::span<const Index> ends, std::int64_t reference);
-  void hold_vertex(Index v) { held_.push_back(v); }
-  void hold_edge(std::size_t edge);
-  /// Cells of a kind count from 0 each.
-  void hold_cell(CellKind kind, std::size_t number);
+  /// Takes one entry of a section that is not too high.
+  /// @param number   of (what, how many there are): reads a number of one of these, made to count
+  ///                 from 0
+  /// @param integer  of nothing: reads a reference
+  template <typename Number, typename Integer>
+  void add_entry(const MeditSection& section, const Number& number, const Integer& integer) {
+    if (section.role == MeditRole::vertices) {
+      held_.push_back(static_cast<Index>(number("a vertex", vertices())));
+    } else if (section.role == MeditRole::edge_list) {
+      hold_edge(number("an edge", edges()));
+    } else if (section.role == MeditRole::cell_list) {
+      hold_cell(section.kind, number("a cell", cells_of(section.kind)));
+    } else {
+      corners_.clear();
+      for (std::size_t k = 0; k < section.corners; ++k) {
+        corners_.push_back(static_cast<Index>(number("a vertex", vertices())));
+      }
+      add_cell_or_edge(section, integer());
+    }
+  }
 
   std::size_t vertices() const { return points_.size(); }
-  std::size_t edges() const { return edges_.size() / 2; }
-  std::size_t cells_of(CellKind kind) const {
-    return cells_of_[static_cast<std::size_t>(kind)].size();
-  }
 
   /// All but the patch.
   MeshFile take_file();
 
  private:
+  std::size_t edges() const { return edges_.size() / 2; }
+  std::size_t cells_of(CellKind kind) const {
+    return cells_of_[static_cast<std::size_t>(kind)].size();
+  }
+  void add_cell_or_edge(const MeditSection& section, std::int64_t reference);
+  void hold_edge(std::size_t edge);
+  /// Cells of a kind count from 0 each.
+  void hold_cell(CellKind kind, std::size_t number);
+
   std::vector<Vec3> points_;
   std::map<std::int64_t, std::vector<Index>> vertices_by_reference_;
   Cells cells_;
@@ -69,6 +88,7 @@ class MeditContent {
   std::vector<Index> edges_;                       // pairs
   std::vector<std::int64_t> edge_references_;
   std::vector<Index> held_;
+  std::vector<Index> corners_;  // of the entry at hand
 };
 
 }  // namespace evenmesh

@@ -100,7 +100,15 @@ void write_bytes(const MeshFile& file, Points points, OutputFile& output) {
 std::vector<Vec3> MeshFile::representable(Points points) const {
   std::vector<Vec3> moved(points.begin(), points.end());
   followers.follow(mesh.points(), moved);
-  return patch->representable(moved);
+  std::vector<Vec3> result = patch->representable(moved);
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    for (int k = 0; k < 3; ++k) {
+      const double before = mesh.points()[v][k];
+      const bool same = std::memcmp(&before, &moved[v][k], sizeof(double)) == 0;
+      if (same) result[v][k] = before;
+    }
+  }
+  return result;
 }
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {

@@ -28,8 +28,8 @@ class FilePatch {
   /// The name of the format, see format_traits(): "obj", "stl_ascii", "msh".
   virtual std::string_view format() const = 0;
 
-  /// The positions that a reader of the output would see: those of the input, bit for bit, where a
-  /// vertex did not move, and otherwise the nearest that the file can hold (binary STL: floats).
+  /// The nearest positions that the file can hold (binary STL: floats). Those of the input may have
+  /// more digits than moved ones get; see MeshFile::representable().
   virtual std::vector<Vec3> representable(Points points) const = 0;
 
   /// The input's bytes with new coordinates for the vertices that moved, handed to sink piece by
@@ -66,8 +66,8 @@ struct MeshFile {
   std::uint64_t bytes = 0;         // size of the file
   std::shared_ptr<const InputFile> input = {};  // the bytes themselves
 
-  /// Where everything is when the corners are at `points`: followers follow, and each coordinate
-  /// is what the file can hold.
+  /// What a reader of the output would see when the corners are at `points`: followers follow,
+  /// coordinates that are as in the input keep their bits, others are what the file can hold.
   std::vector<Vec3> representable(Points points) const;
 };
 

@@ -98,36 +98,10 @@ class Reader {
                                        section.name));
     }
     const std::uint64_t count = take_count(section.name, section.corners * integer_bytes());
-    for (std::uint64_t i = 0; i < count; ++i) read_one(section);
-  }
-
-  void read_one(const MeditSection& section) {
-    switch (section.role) {
-      case MeditRole::cells:
-      case MeditRole::edges: {
-        corners_.clear();
-        for (std::size_t k = 0; k < section.corners; ++k) {
-          corners_.push_back(static_cast<Index>(number("a vertex", content_.vertices())));
-        }
-        const std::int64_t reference = take_integer();
-        if (section.role == MeditRole::edges) {
-          content_.add_edge(corners_, reference);
-        } else {
-          content_.add_cell(section.kind, corners_, reference);
-        }
-        break;
-      }
-      case MeditRole::vertices:
-        content_.hold_vertex(static_cast<Index>(number("a vertex", content_.vertices())));
-        break;
-      case MeditRole::edge_list:
-        content_.hold_edge(number("an edge", content_.edges()));
-        break;
-      case MeditRole::cell_list:
-        content_.hold_cell(section.kind, number("a cell", content_.cells_of(section.kind)));
-        break;
-      case MeditRole::too_high:
-        break;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      content_.add_entry(
+          section, [this](std::string_view what, std::size_t of) { return number(what, of); },
+          [this] { return take_integer(); });
     }
   }
 
@@ -155,7 +129,6 @@ class Reader {
   CoordinateCode code_;
   MeditContent content_;
   std::vector<std::uint64_t> places_;
-  std::vector<Index> corners_;  // of the cell at hand
 };
 
 std::uint32_t first_number(std::string_view begin) {

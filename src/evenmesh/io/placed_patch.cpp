@@ -70,6 +70,10 @@ void patch_bytes(const char* p, double value, const CoordinateCode& code, BytePa
 
 }  // namespace
 
+bool CoordinateCode::is_exact() const {
+  return dimension == 3 && kind != Kind::float32 && !single && widest == 0;
+}
+
 double CoordinateCode::representable(double coordinate) const {
   if (kind == Kind::float64) return coordinate;
   if (kind == Kind::float32) return nearest_float(coordinate);
@@ -115,29 +119,10 @@ PlacedPatch::PlacedPatch(std::string_view format, std::shared_ptr<const InputFil
 
 std::vector<Vec3> PlacedPatch::representable(Points points) const {
   std::vector<Vec3> result(points.begin(), points.end());
-  const bool exact = code_.kind == CoordinateCode::Kind::float64 ||
-                     (code_.kind == CoordinateCode::Kind::text && !code_.single && !code_.widest);
-  if (exact && code_.dimension == 3) return result;
-  const char* const begin = input_->bytes().data();
-  const char* const end = begin + input_->bytes().size();
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    // What did not move keeps its text, which may have more digits than a moved one would get.
-    const char* p = begin + places_[v];
+  if (code_.is_exact()) return result;
+  for (Vec3& position : result) {
     for (int k = 0; k < 3; ++k) {
-      if (k >= code_.dimension) {
-        result[v][k] = 0.0;
-        continue;
-      }
-      double before = 0.0;
-      if (code_.kind == CoordinateCode::Kind::text) {
-        p = next_number(p, end);
-        const char* const stop = scan_value(p, end, before);
-        if (stop == nullptr) break;
-        p = stop;
-      } else {
-        before = bytes_at(p + code_.bytes_each() * k, code_);
-      }
-      if (!same_bits(before, result[v][k])) result[v][k] = code_.representable(result[v][k]);
+      position[k] = k < code_.dimension ? code_.representable(position[k]) : 0.0;
     }
   }
   return result;

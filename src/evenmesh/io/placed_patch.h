@@ -23,6 +23,8 @@ struct CoordinateCode {
   std::size_t widest = 0;  // text: the most characters that a number may have; 0: any
   bool swap = false;       // bytes: in the order that is not this machine's
 
+  /// Whether every position can be written as it is.
+  bool is_exact() const;
   /// What a reader of the file makes of a coordinate that is written in this code.
   double representable(double coordinate) const;
   /// Replaces the coordinates at p that differ from those of `position`.

@@ -76,17 +76,6 @@ const std::vector<Leaders>& leaders_of(CellKind kind, EdgeOrder order) {
 
 }  // namespace
 
-bool has_node_count(CellKind kind, std::size_t nodes) {
-  if (kind == CellKind::polygon) return nodes >= 3;
-  const std::size_t corners = corners_of(kind);
-  if (nodes < corners) return false;
-  const std::size_t more = nodes - corners;
-  const std::size_t edges = traits(kind).edges.size();
-  const std::size_t quads = quads_in_order(kind, EdgeOrder::levels).size();
-  return more == 0 || more == edges || (quads > 0 && more == edges + quads) ||
-         (kind != CellKind::pyramid && more == edges + quads + 1);
-}
-
 void add_followers(CellKind kind, EdgeOrder order, std::span<const Index> nodes,
                    Followers& followers) {
   if (kind == CellKind::polygon) return;
@@ -94,7 +83,6 @@ void add_followers(CellKind kind, EdgeOrder order, std::span<const Index> nodes,
   const std::size_t corners = corners_of(kind);
   std::array<Index, 8> around{};
   for (std::size_t i = corners; i < nodes.size(); ++i) {
-    if (nodes[i] == kNoNode) continue;
     const Leaders& local = leaders[i - corners];
     for (std::size_t k = 0; k < local.size(); ++k) around[k] = nodes[local[k]];
     followers.add(nodes[i], std::span(around).first(local.size()));

@@ -17,10 +17,6 @@ enum class EdgeOrder : std::uint8_t {
   gmsh     // by the lower of the two corners
 };
 
-/// Whether cells of a kind may have so many nodes: those of their corners, and then of second order
-/// with the middles of edges, of edges and quads, or of edges, quads and the whole.
-bool has_node_count(CellKind kind, std::size_t nodes);
-
 /// Notes the nodes of a cell of second order that are no corners.
 /// @param nodes  corners first, then edges, quads, the middle of the whole; kNoNode where the
 /// format

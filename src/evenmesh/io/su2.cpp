@@ -12,14 +12,42 @@
 #include "evenmesh/io/placed_patch.h"
 #include "evenmesh/io/side_labels.h"
 #include "evenmesh/io/text_scanner.h"
-#include "evenmesh/io/vtk_cells.h"
 
 namespace evenmesh {
 namespace {
 
 constexpr std::size_t kLeastNode = 4;  // "0 0" and the end of its line
 
-std::size_t nodes_of_line(std::int64_t type) { return type == 3 ? 2 : 1; }
+/// The kinds of cell go by VTK's numbers.
+std::optional<CellKind> cell_kind(std::int64_t type) {
+  switch (type) {
+    case 5:
+      return CellKind::triangle;
+    case 9:
+      return CellKind::quad;
+    case 10:
+      return CellKind::tet;
+    case 12:
+      return CellKind::hex;
+    case 13:
+      return CellKind::wedge;
+    case 14:
+      return CellKind::pyramid;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::size_t corners_of(CellKind kind) { return static_cast<std::size_t>(traits(kind).vertices); }
+
+/// A side may also be a line, or a vertex that another zone shares. 0: it is none of these.
+std::size_t corners_of_side(std::int64_t type) {
+  constexpr std::int64_t kVertex = 1;
+  constexpr std::int64_t kLine = 3;
+  if (type == kVertex || type == kLine) return type == kLine ? 2 : 1;
+  const auto kind = cell_kind(type);
+  return kind ? corners_of(*kind) : 0;
+}
 
 /// Elements come before nodes as a rule, so their numbers are checked at the end.
 class Reader {
@@ -94,15 +122,15 @@ class Reader {
     for (std::uint64_t i = 0; i < count; ++i) {
       const char* const place = next_line("elements", i, count);
       const std::int64_t number = scanner_.integer("the type of an element");
-      const auto type = vtk_cell_type(number);
-      if (!type || !type->makes_cell || type->second_order || type->crossed || type->nodes == 0) {
+      const auto kind = cell_kind(number);
+      if (!kind) {
         scanner_.fail(place,
                       fmt::format("element {} has type {}; SU2 has triangles (5), quads (9), "
                                   "tets (10), hexes (12), wedges (13) and pyramids (14)",
                                   i, number));
       }
-      read_corners(type->nodes, i);
-      cells_.add(type->kind, corners_);
+      read_corners(corners_of(*kind), i);
+      cells_.add(*kind, corners_);
       cell_places_.push_back(scanner_.offset(place));
       if (i + 1 < count) scanner_.skip_line();  // the number of the element, if it is there
     }
@@ -157,18 +185,14 @@ class Reader {
   }
 
   void read_marker() {
-    NamedSet set;
-    set.kind = "marker";
-    set.name = scanner_.rest_of_line();
-    set.unit = "sides";
+    const std::string name(scanner_.rest_of_line());
     const std::string_view key = next_key();
     if (key != "MARKER_ELEMS") {
-      scanner_.fail(fmt::format("marker {} has no MARKER_ELEMS=", set.name));
+      scanner_.fail(fmt::format("marker {} has no MARKER_ELEMS=", name));
     }
     const std::uint64_t count = scanner_.count("the number of sides of a marker");
     constexpr std::size_t kLeast = 4;
     scanner_.check_room(count, kLeast, "sides");
-    set.members = count;
     std::vector<Index> vertices;
     for (std::uint64_t i = 0; i < count; ++i) {
       scanner_.skip_line();
@@ -176,9 +200,13 @@ class Reader {
       next_line("sides", i, count);
       const char* const place = scanner_.place();
       const std::int64_t number = scanner_.integer("the type of a side");
-      const auto type = vtk_cell_type(number);
-      if (!type) scanner_.fail(place, fmt::format("a side of type {}", number));
-      read_corners(type->makes_cell ? type->nodes : nodes_of_line(number), i);
+      const std::size_t corners = corners_of_side(number);
+      if (corners == 0) {
+        scanner_.fail(place, fmt::format("a side has type {}; lines (3), triangles (5), quads (9) "
+                                         "and vertices (1) are read",
+                                         number));
+      }
+      read_corners(corners, i);
       vertices.insert(vertices.end(), corners_.begin(), corners_.end());
       highest_in_markers_ = std::max<std::uint64_t>(
           highest_in_markers_, *std::max_element(corners_.begin(), corners_.end()));
@@ -186,9 +214,7 @@ class Reader {
         labels_.add(corners_, static_cast<std::uint32_t>(sets_.size() + 1));
       }
     }
-    auto shared = std::make_shared<const std::vector<Index>>(std::move(vertices));
-    set.vertices = [shared](const Cells&) { return *shared; };
-    sets_.push_back(std::move(set));
+    sets_.push_back(named_list("marker", name, count, "sides", std::move(vertices)));
   }
 
   /// No file has more nodes than it has bytes.

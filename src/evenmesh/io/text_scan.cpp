@@ -47,58 +47,54 @@ const char* word_end(const char* p, const char* end) {
   return p;
 }
 
+/// Where the digits or the minus of a number begin; nullptr where there are none behind a plus.
+const char* behind_plus(const char* p, const char* end) {
+  if (p == end || *p != '+') return p;
+  return p + 1 == end || p[1] == '-' ? nullptr : p + 1;
+}
+
+/// What std::from_chars() found, with zero for what is too small for a double.
+/// @return  false if it is no finite number
+bool make_finite(const char* digits, const char* stop, std::errc error, double& number) {
+  if (error == std::errc::result_out_of_range && is_tiny(digits, stop)) {
+    number = *digits == '-' ? -0.0 : 0.0;
+    return true;
+  }
+  return error == std::errc() && std::isfinite(number);
+}
+
 }  // namespace
 
 const char* scan_number(const char* p, const char* end, double& value) {
-  const char* digits = p;
-  if (digits != end && *digits == '+') {
-    ++digits;
-    if (digits != end && *digits == '-') return nullptr;
-  }
+  const char* const digits = behind_plus(p, end);
+  if (digits == nullptr) return nullptr;
   double number = 0.0;
   const auto [stop, error] = std::from_chars(digits, end, number);
-  if (!ends_word(stop, end)) return nullptr;
-  if (error == std::errc::result_out_of_range && is_tiny(digits, stop)) {
-    number = *digits == '-' ? -0.0 : 0.0;
-  } else if (error != std::errc() || !std::isfinite(number)) {
-    return nullptr;
-  }
+  if (!ends_word(stop, end) || !make_finite(digits, stop, error, number)) return nullptr;
   value = number;
   return stop;
 }
 
-const char* scan_value(const char* p, const char* end, double& value, Exponents exponents) {
-  const char* digits = p;
-  if (digits != end && *digits == '+') ++digits;
+const char* scan_value(const char* p, const char* end, double& value) {
+  const char* const digits = behind_plus(p, end);
+  if (digits == nullptr) return nullptr;
   double number = 0.0;
-  auto [stop, error] = std::from_chars(digits, end, number);
+  const auto [stop, error] = std::from_chars(digits, end, number);
   const auto ends = [end](const char* place) { return ends_word(place, end) || *place == ','; };
-  if (!ends(stop)) {
-    // Once more with the exponent written as from_chars() wants it.
-    constexpr std::ptrdiff_t kLongest = 64;
-    const bool letter = *stop == 'd' || *stop == 'D';
-    const bool bare = exponents == Exponents::bare && (*stop == '+' || *stop == '-');
-    if (error != std::errc() || !(letter || bare) || stop - digits > kLongest) return nullptr;
-    std::string text(digits, stop);
-    text += 'e';
-    const char* q = letter ? stop + 1 : stop;
-    if (q != end && *q == '+') ++q;
-    while (!(q == end || ends(q)) && static_cast<std::ptrdiff_t>(text.size()) <= 2 * kLongest) {
-      text += *q++;
-    }
-    double again = 0.0;
-    return scan_number(text.data(), text.data() + text.size(), again) == nullptr
-               ? nullptr
-               : (value = again, q);
+  if (ends(stop)) {
+    if (!make_finite(digits, stop, error, number)) return nullptr;
+    value = number;
+    return stop;
   }
-  if (digits == end || (*digits == '-' && p != digits)) return nullptr;  // "+", "+-1"
-  if (error == std::errc::result_out_of_range && is_tiny(digits, stop)) {
-    number = *digits == '-' ? -0.0 : 0.0;
-  } else if (error != std::errc() || !std::isfinite(number)) {
-    return nullptr;
-  }
-  value = number;
-  return stop;
+  // Once more with the exponent written as from_chars() wants it.
+  constexpr std::size_t kLongest = 128;
+  if (error != std::errc() || (*stop != 'd' && *stop != 'D')) return nullptr;
+  std::string text(digits, stop);
+  text += 'e';
+  const char* q = stop + 1;
+  if (q != end && *q == '+') ++q;
+  while (!ends(q) && text.size() <= kLongest) text += *q++;
+  return scan_number(text.data(), text.data() + text.size(), value) == nullptr ? nullptr : q;
 }
 
 const char* scan_whole(const char* p, const char* end, std::int64_t& value) {

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "evenmesh/mesh/mesh.h"
@@ -21,5 +23,13 @@ struct NamedSet {
   /// so much that all of them together would take far more memory than the file.
   std::function<std::vector<Index>(const Cells& cells)> vertices = {};
 };
+
+/// A set whose vertices are at hand.
+inline NamedSet named_list(std::string kind, std::string name, std::size_t members,
+                           std::string unit, std::vector<Index> vertices) {
+  auto shared = std::make_shared<const std::vector<Index>>(std::move(vertices));
+  return {std::move(kind), std::move(name), members, std::move(unit),
+          [shared](const Cells&) { return *shared; }};
+}
 
 }  // namespace evenmesh
