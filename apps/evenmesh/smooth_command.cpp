@@ -22,7 +22,6 @@
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/text.h"
 #include "evenmesh/constraint/phrases.h"
-#include "evenmesh/io/output_file.h"
 #include "evenmesh/solver/guard.h"
 #include "evenmesh/solver/smooth.h"
 
@@ -145,7 +144,7 @@ class Run {
     input_ = load(arguments_.input, console_);
     // Whether it can be written is found out before the work, not after it. Leaves nothing behind.
     if (!arguments_.dry_run) {
-      const OutputFile probe{output_};
+      check_output(input_.file, output_);
       check_plot_folder(arguments_.plot, arguments_.input.path, output_, arguments_.json);
     }
     describe(input_, record_);

@@ -208,6 +208,16 @@ TEST_F(Files, DecksOfSecondOrderKeepTheirLoadsAndTakeTheMiddlesOfEdgesAlong) {
   EXPECT_EQ(report["input"]["format"], "inp");
 }
 
+TEST_F(Files, NamesThatPromiseAnotherFormatAreRefusedBeforeTheWork) {
+  folder_.write("in.inp", kDeck);
+  for (const char* name : {"out.obj", "out.inp.gz"}) {
+    const Outcome outcome = run({at("in.inp"), "-o", at(name)});
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    EXPECT_EQ(outcome.err.find("planar mesh"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(folder_.count_files(), 1u);
+}
+
 TEST_F(Files, SetsOfADeckAreSelectorsAndNearNamesAreSuggested) {
   folder_.write("in.inp", kDeck);
   const Outcome fixed =

@@ -44,6 +44,11 @@ void check_compression(const std::filesystem::path& path, const MeshFile& file) 
       path.string(), zipped ? "not " : "", zipped ? "leave out" : "put"));
 }
 
+void check_name(const MeshFile& file, const std::filesystem::path& path) {
+  check_suffix(path, format_traits(file.patch->format()));
+  check_compression(path, file);
+}
+
 Mesh read_back(const MeshFile& file, const std::filesystem::path& temporary,
                const std::filesystem::path& path, const ReadOptions& options) {
   try {
@@ -117,10 +122,14 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   return file;
 }
 
+void check_output(const MeshFile& file, const std::filesystem::path& path) {
+  check_name(file, path);
+  const OutputFile probe(path);
+}
+
 void write_mesh(const MeshFile& file, Points points, const std::filesystem::path& path,
                 const ReadOptions& options, const std::function<void(const Mesh&)>& check) {
-  check_suffix(path, format_traits(file.patch->format()));
-  check_compression(path, file);
+  check_name(file, path);
   OutputFile output(path);
   const std::vector<Vec3> wanted = file.representable(points);
   write_bytes(file, wanted, output);

@@ -84,6 +84,10 @@ struct ReadOptions {
 /// @throws InvalidMesh  never: the reader's message says where in the file the fault is
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
+/// Finds out before the work what would keep write_mesh() from writing. Leaves nothing behind.
+/// @throws IoError  the name promises another format or compression, no permission, no such folder
+void check_output(const MeshFile& file, const std::filesystem::path& path);
+
 /// Writes the file again with new positions: to a temporary file beside `path`, which is then read
 /// back and compared (same connectivity, the positions of representable()), given to `check`, and
 /// only then renamed to `path`. On any failure, or when check throws, the temporary file is removed
