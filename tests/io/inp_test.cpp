@@ -86,7 +86,7 @@ TEST(Inp, HoldsNodesThatLoadsAndSupportsName) {
                              "*STEP\n*CLOAD\n80, 2, -1.\n*END STEP\n");
   EXPECT_EQ(file.held.vertices, (Numbers{0, 1, 2, 5}));
   ASSERT_EQ(file.notes.size(), 1u);
-  EXPECT_TRUE(file.notes[0].starts_with("1 elements that are no cells (the first of type B31)"));
+  EXPECT_TRUE(file.notes[0].ends_with("their nodes stay: 1, the first of type B31."));
 }
 
 TEST(Inp, TakesNoNumberInAnEquationForANodeThatIsNone) {

@@ -25,8 +25,7 @@ using testing::written;
 
 using Numbers = std::vector<Index>;
 
-// ---- OFF
-// ------------------------------------------------------------------------------------------
+// ---- OFF ----
 
 const std::string kFive = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 2 0\n";
 
@@ -106,8 +105,7 @@ TEST(Off, ReadsOrRefusesEveryBeginningOfAFile) {
             2);
 }
 
-// ---- MEDIT
-// ----------------------------------------------------------------------------------------
+// ---- MEDIT ----
 
 const std::string kMedit =
     "MeshVersionFormatted 2\nDimension\n3\n# made by hand\nVertices 5\n0 0 0 0\n1 0 0 7\n0 1 0 0\n"
@@ -253,8 +251,7 @@ TEST(Meshb, RefusesSectionsThatRunInACircle) {
       << refusal_of(bytes, "a.meshb");
 }
 
-// ---- SU2
-// ------------------------------------------------------------------------------------------
+// ---- SU2 ----
 
 const std::string kSu2 =
     "% made by hand\nNDIME= 2\nNELEM= 2\n5 0 1 2 0\n5\t0\t2\t3\nNPOIN= 4 4\n0 0 0\n1.0 0 1\n1 1 2\n"
@@ -294,8 +291,7 @@ TEST(Su2, RefusesWithTheLineAtFault) {
 
 TEST(Su2, ReadsOrRefusesEveryBeginningOfAFile) { EXPECT_GT(readable_beginnings(kSu2, "a.su2"), 0); }
 
-// ---- gzip
-// -----------------------------------------------------------------------------------------
+// ---- gzip ----
 
 std::string gzipped(std::string_view text) {
   std::string packed;

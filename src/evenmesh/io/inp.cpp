@@ -105,8 +105,7 @@ class Reader {
   }
 
  private:
-  // ---- nodes
-  // -------------------------------------------------------------------------------------
+  // ---- nodes ----
   void read_nodes() {
     for_each_block(*input_, [&](const DeckKeyword& keyword, DeckLines& lines, std::size_t scope) {
       if (keyword.name == "NODE") read_node_block(keyword, lines, scope);
@@ -227,8 +226,7 @@ class Reader {
     }
   }
 
-  // ---- everything else
-  // ---------------------------------------------------------------------------
+  // ---- everything else ----
   void read_rest(const InputFile& file, int depth) {
     for_each_block(file, [&](const DeckKeyword& keyword, DeckLines& lines, std::size_t scope) {
       read_block(file, keyword, lines, scope, depth);
@@ -281,7 +279,6 @@ class Reader {
                                error.what()));
     }
     read_rest(*included, depth + 1);
-    included_.push_back(std::move(included));  // messages and sets may point into it
   }
 
   void read_elements(const DeckKeyword& keyword, DeckLines& lines, std::size_t scope) {
@@ -467,8 +464,7 @@ class Reader {
     });
   }
 
-  // ---- putting it together
-  // -----------------------------------------------------------------------
+  // ---- putting it together ----
   void index_elements() {
     for (std::size_t s = 0; s < sets_->scopes(); ++s) {
       InpSets::Scope& scope = sets_->scope(s);
@@ -549,7 +545,7 @@ class Reader {
     }
     if (without_cell_ > 0) {
       file.notes.push_back(fmt::format(
-          "{} elements that are no cells (the first of type {}) are not judged; their nodes stay.",
+          "Elements that are no cells are not judged and their nodes stay: {}, the first of type {}.",
           without_cell_, without_cell_type_.empty() ? "none" : without_cell_type_));
     }
     file.held = {std::move(held_), "in loads, supports, couplings, beams or springs"};
@@ -585,7 +581,6 @@ class Reader {
 
   std::shared_ptr<const InputFile> input_;
   std::shared_ptr<InpSets> sets_;
-  std::vector<std::shared_ptr<const InputFile>> included_;
 
   std::vector<Vec3> points_;
   std::vector<std::uint64_t> numbers_;  // of the nodes
