@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -48,6 +49,19 @@ void print_sets(const MeshFile& file) {
   }
 }
 
+void print_arrays(const MeshFile& file) {
+  for (const DataArray& array : file.arrays) {
+    double least = std::nan("");
+    double most = least;
+    for (const double value : array.values()) {  // fmin() and fmax() pass over NaN
+      least = std::fmin(least, value);
+      most = std::fmax(most, value);
+    }
+    line("array", fmt::format("{}: {:.6g} to {:.6g} on {}", array.name, least, most,
+                              array.on_cells ? "cells" : "vertices"));
+  }
+}
+
 }  // namespace
 
 int info_command(const InputArguments& arguments, const Console& console) {
@@ -88,6 +102,7 @@ int info_command(const InputArguments& arguments, const Console& console) {
   line("corners", count_of(count(topology.corners), "vertex", "vertices"));
   print_groups(input.file);
   print_sets(input.file);
+  print_arrays(input.file);
   return kDone;
 }
 

@@ -38,13 +38,14 @@ constexpr const char* kExamples = R"(Examples:
 
 Makes the cells of a mesh even by moving its vertices, never its connectivity, and never
 hands back a mesh that is worse. Reads and patches OBJ, STL, OFF, PLY, Gmsh MSH,
-MEDIT (.mesh, .meshb), SU2 and decks of Abaqus and CalculiX, gzipped or not.
+VTK (.vtk, .vtu, .vtp), MEDIT (.mesh, .meshb), SU2 and decks of Abaqus and CalculiX,
+gzipped or not.
 )";
 
 constexpr const char* kExitCodes = R"(
 Selectors (SEL): all, none, boundary, features, corners, interface, non_manifold, id:1,5-9,
-  box:x0,y0,z0,x1,y1,z1, group:NAME, nset:NAME, elset:NAME, marker:NAME, combined
-  with + - & from left to right.
+  box:x0,y0,z0,x1,y1,z1, group:NAME, nset:NAME, elset:NAME, marker:NAME,
+  array:NAME==1, combined with + - & from left to right.
 Exit codes: 0 done; 1 internal error; 2 wrong usage; 3 a file cannot be read or written;
   4 check found inverted cells, or a demand is not met (what could be had was written);
   5 refused, nothing written; 130 interrupted.

@@ -177,6 +177,7 @@ class Run {
                   .ids = file.patch->vertex_numbers(),
                   .groups = file.group_names,
                   .sets = file.sets,
+                  .arrays = file.arrays,
                   .followers = &file.followers},
         .held = held(),
         .vertex_name = [&file](Index v) { return file.patch->vertex_name(v); },

@@ -2,6 +2,7 @@
 #include "evenmesh/constraint/selector.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -195,6 +196,54 @@ TEST_F(Selector, KnowsTheSetsOfAFile) {
       << complaint("nset:bold");
   EXPECT_NE(complaint("marker:wall").find("there is no marker 'wall': the file has none"),
             std::string::npos);
+}
+
+DataArray array_of(std::string name, bool on_cells, std::size_t size) {
+  std::vector<double> values(size);
+  for (std::size_t i = 0; i < size; ++i) values[i] = static_cast<double>(i);
+  return {.name = std::move(name), .on_cells = on_cells, .values = [values] { return values; }};
+}
+
+TEST_F(Selector, ComparesTheArraysOfAFile) {
+  std::vector<DataArray> arrays = {array_of("my bc", false, mesh_.point_count()),
+                                   array_of("size", true, mesh_.cells().size()),
+                                   array_of("size", false, mesh_.point_count())};
+  arrays[0].values = [values = arrays[0].values()] {
+    std::vector<double> changed = values;
+    changed[3] = -1.5;
+    changed[4] = std::nan("");
+    return changed;
+  };
+  const auto select = [&](std::string_view text) {
+    const auto flags = select_vertices(text, mesh_, topology_, {.arrays = arrays});
+    return std::count(flags.begin(), flags.end(), char{1});
+  };
+  EXPECT_EQ(select("array:my bc==2"), 1);
+  EXPECT_EQ(select("array:my bc != 2"), 25);  // what is no number equals none
+  EXPECT_EQ(select("array:'my bc' < 2"), 3);
+  EXPECT_EQ(select("array:my bc<=2"), 4);
+  EXPECT_EQ(select("array:my bc>-2"), 25);
+  EXPECT_EQ(select("array:my bc>=2.2e1"), 4);
+  EXPECT_EQ(select("array:my bc==-1.5+id:1"), 2);
+  EXPECT_EQ(select("array:cell.size==0"), 4);  // the vertices of one quad
+  EXPECT_EQ(select("array:point.size==0-id:1"), 0);
+  const auto complaint = [&](std::string_view text) {
+    try {
+      select(text);
+    } catch (const InvalidOption& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto expect_complaint = [&](std::string_view text, std::string_view about) {
+    EXPECT_NE(complaint(text).find(about), std::string::npos) << complaint(text);
+  };
+  expect_complaint("array:size==0", "say 'point.size' or 'cell.size'");
+  expect_complaint("array:my bd==0", "(did you mean 'my bc'?)");
+  expect_complaint("array:my bc=0", "a comparison is expected behind the array");
+  expect_complaint("array:my bc", "a comparison is expected behind the array");
+  expect_complaint("array:my bc==x", "a number is expected");
+  expect_complaint("array:==1", "the name of an array is expected");
 }
 
 TEST_F(Selector, TakesTheNumbersOfTheFileWithTheirGaps) {

@@ -33,7 +33,7 @@ bool has_known_format(const fs::path& path) {
   if (suffix == ".inp") return read_bytes(path).starts_with("*");
   if (suffix == ".mesh") return read_bytes(path).starts_with("MeshVersionFormatted");
   return suffix == ".obj" || suffix == ".stl" || suffix == ".msh" || suffix == ".off" ||
-         suffix == ".ply" || suffix == ".su2";
+         suffix == ".ply" || suffix == ".su2" || suffix == ".vtk" || suffix == ".vtu";
 }
 
 std::vector<fs::path> corpus_files(bool readable_formats) {
@@ -73,6 +73,18 @@ const std::map<std::string, Outcome> kOutcomes{
     {"malformed/trimesh__points_emptyface.ply", {1024, 0, "vertices but no faces"}},
     {"malformed/assimp__OutOfMemory.off", refused(":2: promises 353535235358 vertices")},
     {"malformed/assimp__invalid.off", refused(":7: face 1 has 0 of 2 vertices")},
+    {"hostile/degenerate_hex_as_wedge.vtk", {8, 1, ""}},
+    {"hostile/flat_tet.vtk", {5, 2, ""}},
+    {"hostile/hex_huge_count.vtk", refused(":14: promises 2147483647 cells")},
+    {"hostile/hex_index_oob.vtk", refused(":15: cell 0 names point 88; the 8 points")},
+    {"hostile/hex_left_handed.vtk", {8, 1, ""}},
+    {"hostile/hex_ok.vtk", {8, 1, ""}},
+    {"hostile/hex_type_mismatch.vtk",
+     refused(":15: cell 0 has 8 points; a cell of type 10 (tet) has 4")},
+    {"hostile/hex_unknown_type.vtk", refused(":15: cell 0 is of type 99, unknown")},
+    {"hostile/quadratic_tet.vtk", {10, 1, ""}},
+    {"hostile/truncated.vtk", refused(":5: promises 8 points")},
+    {"hostile/wedge_both_orders.vtk", {12, 2, ""}},
     {"hostile/ascii_comma.stl",
      refused("ascii_comma.stl:4: '0,000000000e+00' has a decimal comma")},
     {"hostile/ascii_crlf.stl", {25, 32, ""}},

@@ -45,8 +45,7 @@ TEST(ReadMesh, RefusesOtherFormatsAndSaysWhichAreRead) {
   const TemporaryFolder folder;
   const std::pair<const char*, std::string_view> files[] = {
       {"a.msh", "$NOD\n1\n1 0 0 0\n"},
-      {"a.vtu", "<?xml version='1.0'?>\n"},
-      {"a.vtk", "# vtk DataFile Version 3.0\n"},
+      {"a.xml", "<?xml version='1.0'?>\n<mesh/>\n"},
       {"a.inp", "1 2 3\n"},
       {"a.bdf", "CEND\nBEGIN BULK\n"}};
   for (const auto& [name, content] : files) {

@@ -27,6 +27,9 @@ const std::map<std::string, std::vector<Format>> kFormats = {
     {"ply", {Format::ply}},
     {"su2", {Format::su2}},
     {"stl", {Format::stl_ascii, Format::stl_binary}},
+    {"vtk", {Format::vtk}},
+    {"vtp", {Format::vtp}},
+    {"vtu", {Format::vtu}},
 };
 
 /// Changes a few bytes, repeats or drops a stretch, or puts a word there that often hurts.

@@ -20,6 +20,9 @@ std::string shown(std::string_view text);
 /// With small letters for the capital ones of ASCII.
 std::string lower(std::string_view text);
 
+/// Whether two words differ in nothing but capital and small letters of ASCII.
+bool equal_but_for_case(std::string_view a, std::string_view b);
+
 /// The known word that a misspelt one is nearest to, letters of either case being the same; empty
 /// if none is near.
 std::string nearest_word(std::string_view word, std::span<const std::string_view> known);

@@ -19,21 +19,15 @@ namespace {
 
 constexpr std::string_view kKnown =
     "all, none, boundary, features, corners, interface, non_manifold, id:1,5-9, "
-    "box:x0,y0,z0,x1,y1,z1, group:NAME, nset:NAME, elset:NAME, marker:NAME, joined by + (and), - "
-    "(without) or & (in both)";
+    "box:x0,y0,z0,x1,y1,z1, group:NAME, nset:NAME, elset:NAME, marker:NAME, array:NAME==1, joined "
+    "by + (and), - (without) or & (in both)";
 
-constexpr std::array<std::string_view, 13> kWords = {
+constexpr std::array<std::string_view, 14> kWords = {
     "all", "none", "boundary", "features", "corners", "interface", "non_manifold",
-    "id:", "box:", "group:",   "nset:",    "elset:",  "marker:"};
+    "id:", "box:", "group:",   "nset:",    "elset:",  "marker:",   "array:"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_operator(char c) { return c == '+' || c == '-' || c == '&'; }
-
-bool equal_but_for_case(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char x, char y) { return lower(x) == lower(y); });
-}
 
 /// "bolts" of "bracket.bolts": a set in a part of a deck may be called without the part.
 std::string_view without_part(std::string_view name) {
@@ -44,6 +38,25 @@ std::string_view without_part(std::string_view name) {
 bool is_called(const NamedSet& set, std::string_view name) {
   return equal_but_for_case(set.name, name) || equal_but_for_case(without_part(set.name), name);
 }
+
+/// "cell.material"
+std::string qualified(const DataArray& array) {
+  return (array.on_cells ? "cell." : "point.") + array.name;
+}
+
+/// How an array's number is compared with one given. The longer ones come first.
+struct Comparison {
+  std::string_view sign;
+  bool (*holds)(double number, double given);
+};
+constexpr std::array kComparisons{
+    Comparison{"==", [](double a, double b) { return a == b; }},
+    Comparison{"!=", [](double a, double b) { return a != b; }},
+    Comparison{"<=", [](double a, double b) { return a <= b; }},
+    Comparison{">=", [](double a, double b) { return a >= b; }},
+    Comparison{"<", [](double a, double b) { return a < b; }},
+    Comparison{">", [](double a, double b) { return a > b; }},
+};
 
 /// Calls visit for everything a group may be called: "o part, g left" also "o part", "part",
 /// "g left" and "left".
@@ -59,6 +72,21 @@ void for_each_name(std::string_view name, const Visit& visit) {
     if (space != std::string_view::npos && space + 1 < part.size()) visit(part.substr(space + 1));
     name.remove_prefix(std::min(comma + 2, name.size()));
   }
+}
+
+/// What may help where a name is not known: the nearest, or those that there are.
+std::string hint_or_list(std::string_view name, std::span<const std::string_view> known,
+                         std::span<const std::string_view> listed) {
+  if (known.empty()) return ": the file has none";
+  const std::string hint = suggestion(name, known);
+  if (!hint.empty()) return hint;
+  constexpr std::size_t kListed = 8;
+  std::string text;
+  for (std::size_t i = 0; i < listed.size() && i < kListed; ++i) {
+    text += fmt::format("{}'{}'", i > 0 ? ", " : "; the file has ", shown(listed[i]));
+  }
+  if (listed.size() > kListed) text += fmt::format(" and {} more", listed.size() - kListed);
+  return text;
 }
 
 class Parser {
@@ -111,6 +139,7 @@ class Parser {
     if (word == "nset:" || word == "elset:" || word == "marker:") {
       return set(start, word.substr(0, word.size() - 1));
     }
+    if (word == "array:") return array(start);
     if (word == "all") return constant(1);
     if (word == "none") return constant(0);
     if (word == "boundary") return topology_.boundary;
@@ -299,20 +328,11 @@ class Parser {
   }
 
   std::string no_such_set(std::string_view kind, std::string_view name) const {
-    std::string text = fmt::format("there is no {} '{}'", kind, shown(name));
     std::vector<std::string_view> known;
     for (const NamedSet& set : names_.sets) {
       if (set.kind == kind) known.push_back(without_part(set.name));
     }
-    if (known.empty()) return text + ": the file has none";
-    const std::string hint = suggestion(name, known);
-    if (!hint.empty()) return text + hint;
-    constexpr std::size_t kListed = 8;
-    for (std::size_t i = 0; i < known.size() && i < kListed; ++i) {
-      text += fmt::format("{}'{}'", i > 0 ? ", " : "; the file has ", shown(known[i]));
-    }
-    if (known.size() > kListed) text += fmt::format(" and {} more", known.size() - kListed);
-    return text;
+    return fmt::format("there is no {} '{}'", kind, shown(name)) + hint_or_list(name, known, known);
   }
 
   std::string_view longest_set_name(std::string_view kind) const {
@@ -327,6 +347,62 @@ class Parser {
       }
     }
     return text.substr(0, longest);
+  }
+
+  std::vector<char> array(std::size_t start) {
+    skip_spaces();
+    const std::size_t place = at_;
+    std::string_view name = quoted();
+    if (name.empty()) {
+      while (!at_end() && std::string_view("=!<>").find(text_[at_]) == std::string_view::npos)
+        ++at_;
+      name = trimmed(text_.substr(place, at_ - place));
+    }
+    if (name.empty()) fail(start, "the name of an array is expected behind 'array:'");
+    const DataArray& found = find_array(place, name);
+    skip_spaces();
+    const auto* const comparison =
+        std::find_if(kComparisons.begin(), kComparisons.end(),
+                     [this](const Comparison& c) { return text_.substr(at_).starts_with(c.sign); });
+    if (comparison == kComparisons.end()) {
+      fail(at_, fmt::format("a comparison is expected behind the array, as in array:{}==1",
+                            shown(name)));
+    }
+    at_ += comparison->sign.size();
+    skip_spaces();
+    const double given = number(start);
+
+    const std::vector<double> numbers = found.values();
+    std::vector<char> result(mesh_.point_count(), 0);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (!comparison->holds(numbers[i], given)) continue;
+      if (!found.on_cells) {
+        result[i] = 1;
+      } else {
+        for (const Index v : mesh_.cells().vertices(i)) result[v] = 1;
+      }
+    }
+    return with_corners(std::move(result));
+  }
+
+  const DataArray& find_array(std::size_t place, std::string_view name) const {
+    const DataArray* found = nullptr;
+    std::vector<std::string_view> known;
+    for (const DataArray& array : names_.arrays) {
+      known.push_back(array.name);
+      if (qualified(array) == name) return array;
+      if (array.name != name) continue;
+      if (found != nullptr) {
+        fail(place, fmt::format("points and cells both have an array '{0}'; say 'point.{0}' or "
+                                "'cell.{0}'",
+                                shown(name)));
+      }
+      found = &array;
+    }
+    if (found != nullptr) return *found;
+    fail(place,
+         fmt::format("there is no array '{}' of one number per vertex or cell", shown(name)) +
+             hint_or_list(name, known, known));
   }
 
   std::vector<char> groups_of(std::size_t place, std::string_view name) const {
@@ -420,16 +496,10 @@ std::vector<char> find_groups(std::span<const std::string> groups, std::string_v
   }
   if (std::find(found.begin(), found.end(), 1) != found.end()) return found;
 
-  constexpr std::size_t kListed = 8;
-  std::string text = fmt::format("there is no group '{}'", shown(name));
-  if (known.empty()) throw InvalidOption(text + ": the file has none");
-  const std::string hint = suggestion(name, known);
-  if (!hint.empty()) throw InvalidOption(text + hint);
-  for (std::size_t g = 1; g < groups.size() && g <= kListed; ++g) {
-    text += fmt::format("{}'{}'", g > 1 ? ", " : "; the file has ", shown(groups[g]));
-  }
-  if (groups.size() > kListed + 1) text += fmt::format(" and {} more", groups.size() - 1 - kListed);
-  throw InvalidOption(text);
+  const std::vector<std::string_view> listed(groups.begin() + (groups.empty() ? 0 : 1),
+                                             groups.end());
+  throw InvalidOption(fmt::format("there is no group '{}'", shown(name)) +
+                      hint_or_list(name, known, listed));
 }
 
 std::vector<char> select_vertices(std::string_view text, const Mesh& mesh, const Topology& topology,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/mesh/data_array.h"
 #include "evenmesh/mesh/followers.h"
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/named_sets.h"
@@ -21,6 +22,7 @@ struct FileNames {
   std::span<const std::uint64_t> ids = {};   // of each vertex; empty: they are counted
   std::span<const std::string> groups = {};  // by group number of a cell; entry 0 is "no group"
   std::span<const NamedSet> sets = {};
+  std::span<const DataArray> arrays = {};
   const Followers* followers = nullptr;  // nodes of second-order cells that are no corners
 };
 
@@ -37,6 +39,7 @@ std::vector<char> find_groups(std::span<const std::string> groups, std::string_v
 ///   term     = "all" | "none" | "boundary" | "features" | "corners" | "interface"
 ///            | "non_manifold" | "id:1,5-9" | "box:x0,y0,z0,x1,y1,z1"
 ///            | "group:NAME" | "nset:NAME" | "elset:NAME" | "marker:NAME"
+///            | "array:NAME" ("==" | "!=" | "<" | "<=" | ">" | ">=") number
 ///
 /// `+` joins, `-` takes away, `&` keeps what both have; spaces are ignored around terms. `features`
 /// includes non-manifold edges, which no smooth surface has. Vertex numbers in `id:` are those of
@@ -45,10 +48,12 @@ std::vector<char> find_groups(std::span<const std::string> groups, std::string_v
 /// box includes its faces, and its numbers may be infinite (inf). `group:` selects the vertices of
 /// the cells of find_groups(), the others those of a set of that kind, in upper or lower case; of
 /// several names that fit the longest counts, and quotation marks ('a b' or "a b") say where a name
-/// ends.
+/// ends. `array:` selects the vertices whose number in an array of the file compares so, or those
+/// of the cells whose number does; "point.NAME" and "cell.NAME" tell arrays of one name apart.
 /// @return  one flag per vertex
 /// @throws InvalidOption  the text does not parse (the message shows where and what is known), or
-///                        an id or a group is not in the mesh.
+///                        an id, a group, a set or an array is not in the file.
+/// @throws IoError        an array of the file is broken
 std::vector<char> select_vertices(std::string_view text, const Mesh& mesh, const Topology& topology,
                                   const FileNames& names = {});
 

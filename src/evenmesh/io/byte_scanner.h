@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 
 #include <fmt/core.h>
 
 #include "evenmesh/io/input_file.h"
+#include "evenmesh/io/number_type.h"
 
 namespace evenmesh {
 
@@ -27,13 +25,7 @@ class ByteScanner {
   T take() {
     const std::string_view bytes = input_.bytes();
     if (at_ > bytes.size() || bytes.size() - at_ < sizeof(T)) fail_short();
-    T value;
-    char raw[sizeof(T)];
-    std::memcpy(raw, bytes.data() + at_, sizeof(T));
-    if (swap_) {
-      for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(raw[i], raw[sizeof(T) - 1 - i]);
-    }
-    std::memcpy(&value, raw, sizeof(T));
+    const T value = number_at<T>(bytes.data() + at_, swap_);
     at_ += sizeof(T);
     return value;
   }

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "evenmesh/base/text.h"
 #include "evenmesh/io/inp.h"
 #include "evenmesh/io/medit.h"
 #include "evenmesh/io/meshb.h"
@@ -20,6 +21,8 @@
 #include "evenmesh/io/stl_binary.h"
 #include "evenmesh/io/su2.h"
 #include "evenmesh/io/text_scan.h"
+#include "evenmesh/io/vtk.h"
+#include "evenmesh/io/vtk_xml.h"
 
 namespace evenmesh {
 namespace {
@@ -28,10 +31,8 @@ namespace {
 constexpr std::size_t kLookAt = 4096;
 
 constexpr std::string_view kReads =
-    "evenmesh reads OBJ, STL, OFF, PLY, Gmsh MSH, MEDIT (.mesh, .meshb), SU2 and the decks of "
-    "Abaqus "
-    "and "
-    "CalculiX, and all of them compressed with gzip";
+    "evenmesh reads OBJ, STL, OFF, PLY, Gmsh MSH, MEDIT (.mesh, .meshb), VTK (.vtk, .vtu, .vtp), "
+    "SU2 and the decks of Abaqus and CalculiX, and all of them compressed with gzip";
 
 /// Makes a reader that has no options one that has.
 template <MeshFile (*read)(std::shared_ptr<const InputFile>)>
@@ -50,6 +51,9 @@ constexpr std::array kFormats{
     FormatTraits{Format::meshb, "meshb", "a binary MEDIT file", ".meshb",
                  without_options<read_meshb>},
     FormatTraits{Format::su2, "su2", "an SU2 file", ".su2", without_options<read_su2>},
+    FormatTraits{Format::vtk, "vtk", "a legacy VTK file", ".vtk", without_options<read_vtk>},
+    FormatTraits{Format::vtu, "vtu", "a VTU file", ".vtu", without_options<read_vtu>},
+    FormatTraits{Format::vtp, "vtp", "a VTP file", ".vtp", without_options<read_vtp>},
     FormatTraits{Format::inp, "inp", "an Abaqus or CalculiX deck", ".inp",
                  without_options<read_inp>},
 };
@@ -63,9 +67,7 @@ constexpr std::array kSignatures{
     Signature{"$nod\n", "a Gmsh mesh of version 1; save it with 'gmsh -save -format msh41'"},
     Signature{"$nod\r", "a Gmsh mesh of version 1; save it with 'gmsh -save -format msh41'"},
     Signature{"mfem ", "an MFEM mesh; save it as VTK from MFEM"},
-    Signature{"# vtk datafile", "a legacy VTK file (.vtk)"},
-    Signature{"<?xml", "an XML file, perhaps VTK (.vtu, .vtp)"},
-    Signature{"<vtkfile", "a VTK file (.vtu, .vtp)"},
+    Signature{"<?xml", "an XML file, but none of VTK"},
     Signature{"foamfile", "an OpenFOAM file"},
     Signature{"BZh", "compressed with bzip2; unpack it with bunzip2 first"},
     Signature{"\xfd"
@@ -83,8 +85,6 @@ constexpr std::array kSignatures{
 constexpr std::array kSuffixes{
     Signature{".msh", "a .msh file, but not Gmsh's"},
     Signature{".mesh", "a .mesh file, but not MEDIT's"},
-    Signature{".vtk", "a VTK file without its first line"},
-    Signature{".vtu", "a .vtu file without <VTKFile>"},
     Signature{".bdf", "a Nastran deck"},
     Signature{".dat", "a .dat file"},
     Signature{".inp", "a .inp file, but no deck of Abaqus or CalculiX; perhaps AVS UCD"},
@@ -102,13 +102,6 @@ constexpr std::array<std::string_view, 33> kObjKeywords{
     "g",     "s",     "usemtl", "mtllib", "usemap", "maplib",    "cstype", "deg", "curv",
     "curv2", "surf",  "parm",   "trim",   "hole",   "scrv",      "sp",     "end", "con",
     "mg",    "bevel", "lod",    "bmat",   "step",   "shadow_obj"};
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool equal_but_for_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return lower(x) == lower(y); });
-}
 
 bool begins(std::string_view text, std::string_view word) {
   return equal_but_for_case(text.substr(0, word.size()), word);
@@ -186,11 +179,12 @@ bool looks_like_su2(std::string_view text) {
   return false;
 }
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 /// The keywords of a deck follow a star, comments two.
 bool looks_like_inp(std::string_view text) {
   const std::string_view word = Words(text).next();
-  return word.size() > 1 && word[0] == '*' &&
-         (word[1] == '*' || lower(word[1]) != word[1] || (word[1] >= 'a' && word[1] <= 'z'));
+  return word.size() > 1 && word[0] == '*' && (word[1] == '*' || is_letter(word[1]));
 }
 
 /// The first statement that is no comment is one of OBJ's.
@@ -229,9 +223,7 @@ bool has_suffix(const FormatTraits& format, std::string_view suffix) {
 }
 
 std::string lower_suffix(const std::filesystem::path& path) {
-  std::string suffix = path.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), lower);
-  return suffix;
+  return lower(path.extension().string());
 }
 
 Format find_format(const InputFile& input) {
@@ -246,6 +238,10 @@ Format find_format(const InputFile& input) {
   if (looks_like_msh(begin)) return Format::msh;
   if (looks_like_ply(begin)) return Format::ply;
   if (looks_like_meshb(begin)) return Format::meshb;
+  if (begins(begin, "# vtk datafile")) return Format::vtk;
+  if (const auto dataset = vtk_xml_dataset(begin)) {
+    return *dataset == "PolyData" ? Format::vtp : Format::vtu;
+  }
   const bool text = is_text(begin);
   if (text && looks_like_ascii_stl(begin)) return Format::stl_ascii;
   if (has_binary_stl_size(bytes)) return Format::stl_binary;

@@ -23,7 +23,10 @@ enum class Format : std::uint8_t {
   medit,
   meshb,
   su2,
-  inp
+  inp,
+  vtk,
+  vtu,
+  vtp
 };
 
 /// One row of the table of formats.

@@ -544,9 +544,10 @@ class Reader {
       file.notes.push_back("The deck has nodes but no elements that make a surface or a volume.");
     }
     if (without_cell_ > 0) {
-      file.notes.push_back(fmt::format(
-          "Elements that are no cells are not judged and their nodes stay: {}, the first of type {}.",
-          without_cell_, without_cell_type_.empty() ? "none" : without_cell_type_));
+      file.notes.push_back(
+          fmt::format("Elements that are no cells are not judged and their nodes stay: {}, the "
+                      "first of type {}.",
+                      without_cell_, without_cell_type_.empty() ? "none" : without_cell_type_));
     }
     file.held = {std::move(held_), "in loads, supports, couplings, beams or springs"};
     file.sets = InpSets::named(sets_);

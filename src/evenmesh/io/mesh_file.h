@@ -13,6 +13,7 @@
 
 #include "evenmesh/base/vec3.h"
 #include "evenmesh/io/input_file.h"
+#include "evenmesh/mesh/data_array.h"
 #include "evenmesh/mesh/followers.h"
 #include "evenmesh/mesh/mesh.h"
 #include "evenmesh/mesh/named_sets.h"
@@ -60,6 +61,7 @@ struct MeshFile {
   std::unique_ptr<const FilePatch> patch;
   std::vector<std::string> group_names;  // [group number of a cell]; entry 0 is "no group"
   std::vector<NamedSet> sets = {};       // what else the file calls by a name
+  std::vector<DataArray> arrays = {};    // numbers that it has for each vertex or cell
   Followers followers = {};              // nodes of second-order cells that are no corners
   HeldVertices held = {};
   std::vector<std::string> notes;  // what the reader wants the user to know, whole sentences

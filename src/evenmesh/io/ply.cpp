@@ -21,9 +21,9 @@ class TextSource {
   TextSource(const InputFile& input, std::uint64_t data) : scanner_(input) {
     scanner_.set_place(input.bytes().data() + data);
   }
-  double real(PlyType) { return scanner_.real("a number"); }
-  std::int64_t integer(PlyType) { return scanner_.integer("a whole number"); }
-  void skip(PlyType) {
+  double real(NumberType) { return scanner_.real("a number"); }
+  std::int64_t integer(NumberType) { return scanner_.integer("a whole number"); }
+  void skip(NumberType) {
     if (scanner_.word().empty()) {
       scanner_.fail("the file ends here; it was cut off, copy or export it again");
     }
@@ -50,27 +50,27 @@ class TextSource {
 class ByteSource {
  public:
   ByteSource(const InputFile& input, std::uint64_t data, bool swap) : scanner_(input, data, swap) {}
-  double real(PlyType type) {
-    return type == PlyType::float32 ? static_cast<double>(scanner_.take<float>())
-                                    : scanner_.take<double>();
+  double real(NumberType type) {
+    return type == NumberType::float32 ? static_cast<double>(scanner_.take<float>())
+                                       : scanner_.take<double>();
   }
-  std::int64_t integer(PlyType type) {
+  std::int64_t integer(NumberType type) {
     switch (type) {
-      case PlyType::int8:
+      case NumberType::int8:
         return scanner_.take<std::int8_t>();
-      case PlyType::uint8:
+      case NumberType::uint8:
         return scanner_.take<std::uint8_t>();
-      case PlyType::int16:
+      case NumberType::int16:
         return scanner_.take<std::int16_t>();
-      case PlyType::uint16:
+      case NumberType::uint16:
         return scanner_.take<std::uint16_t>();
-      case PlyType::int32:
+      case NumberType::int32:
         return scanner_.take<std::int32_t>();
       default:
         return scanner_.take<std::uint32_t>();
     }
   }
-  void skip(PlyType type) { scanner_.skip(size_of(type)); }
+  void skip(NumberType type) { scanner_.skip(size_of(type)); }
   std::uint64_t place() const { return scanner_.offset(); }
   void check_room(std::uint64_t number, std::size_t bytes, std::string_view things) const {
     scanner_.check_room(number, std::max<std::size_t>(bytes, 1), things);
@@ -124,13 +124,13 @@ class Reader {
       input_->fail_at(element.place,
                       "the properties x, y and z of a vertex must follow each other");
     }
-    const PlyType type = properties[first_].type;
+    const NumberType type = properties[first_].type;
     for (std::size_t k = first_; k < first_ + 3; ++k) {
       if (properties[k].is_list || properties[k].type != type || !is_real(type)) {
         input_->fail_at(properties[k].place, "coordinates must be float or double, all the same");
       }
     }
-    code_.single = type == PlyType::float32;
+    code_.single = type == NumberType::float32;
     if (header_.code == PlyHeader::Code::text) return;
     code_.kind = code_.single ? CoordinateCode::Kind::float32 : CoordinateCode::Kind::float64;
     code_.swap = header_.code == PlyHeader::Code::big_endian;
@@ -140,7 +140,7 @@ class Reader {
   std::size_t least(const PlyElement& element) const {
     std::size_t sum = 0;
     for (const PlyProperty& property : element.properties) {
-      const PlyType type = property.is_list ? property.count_type : property.type;
+      const NumberType type = property.is_list ? property.count_type : property.type;
       sum += header_.code == PlyHeader::Code::text ? 1 : size_of(type);
     }
     return sum;
@@ -186,7 +186,7 @@ class Reader {
   }
 
   template <typename Source>
-  void read_position(Source& source, PlyType type) {
+  void read_position(Source& source, NumberType type) {
     const std::uint64_t place = source.place();
     Vec3 position;
     for (int k = 0; k < 3; ++k) position[k] = source.real(type);

@@ -14,24 +14,24 @@
 namespace evenmesh {
 namespace {
 
-std::optional<PlyType> type_of(std::string_view word) {
-  constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes{{
-      {"char", PlyType::int8},
-      {"int8", PlyType::int8},
-      {"uchar", PlyType::uint8},
-      {"uint8", PlyType::uint8},
-      {"short", PlyType::int16},
-      {"int16", PlyType::int16},
-      {"ushort", PlyType::uint16},
-      {"uint16", PlyType::uint16},
-      {"int", PlyType::int32},
-      {"int32", PlyType::int32},
-      {"uint", PlyType::uint32},
-      {"uint32", PlyType::uint32},
-      {"float", PlyType::float32},
-      {"float32", PlyType::float32},
-      {"double", PlyType::float64},
-      {"float64", PlyType::float64},
+std::optional<NumberType> type_of(std::string_view word) {
+  constexpr std::array<std::pair<std::string_view, NumberType>, 16> kTypes{{
+      {"char", NumberType::int8},
+      {"int8", NumberType::int8},
+      {"uchar", NumberType::uint8},
+      {"uint8", NumberType::uint8},
+      {"short", NumberType::int16},
+      {"int16", NumberType::int16},
+      {"ushort", NumberType::uint16},
+      {"uint16", NumberType::uint16},
+      {"int", NumberType::int32},
+      {"int32", NumberType::int32},
+      {"uint", NumberType::uint32},
+      {"uint32", NumberType::uint32},
+      {"float", NumberType::float32},
+      {"float32", NumberType::float32},
+      {"double", NumberType::float64},
+      {"float64", NumberType::float64},
   }};
   for (const auto& [name, type] : kTypes) {
     if (name == word) return type;
@@ -114,7 +114,7 @@ class HeaderReader {
     header_.elements.back().properties.push_back(property);
   }
 
-  PlyType type(std::string_view word) const {
+  NumberType type(std::string_view word) const {
     if (const auto found = type_of(word)) return *found;
     scanner_.fail(word.data(),
                   fmt::format("{} is no type of a PLY", quoted_word(word.data(), scanner_.end())));
@@ -145,11 +145,6 @@ class HeaderReader {
 };
 
 }  // namespace
-
-std::size_t size_of(PlyType type) {
-  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-  return kSizes[static_cast<int>(type)];
-}
 
 const PlyProperty* PlyElement::find(std::string_view property) const {
   const auto at = std::find_if(properties.begin(), properties.end(),

@@ -7,18 +7,15 @@
 #include <vector>
 
 #include "evenmesh/io/input_file.h"
+#include "evenmesh/io/number_type.h"
 
 namespace evenmesh {
 
-enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-std::size_t size_of(PlyType type);
-inline bool is_real(PlyType type) { return type >= PlyType::float32; }
-
 struct PlyProperty {
   std::string_view name;
-  PlyType type = PlyType::float32;
+  NumberType type = NumberType::float32;
   bool is_list = false;
-  PlyType count_type = PlyType::uint8;  // of a list
+  NumberType count_type = NumberType::uint8;  // of a list
   const char* place = nullptr;
 };
 

@@ -80,7 +80,9 @@ const char* scan_value(const char* p, const char* end, double& value) {
   if (digits == nullptr) return nullptr;
   double number = 0.0;
   const auto [stop, error] = std::from_chars(digits, end, number);
-  const auto ends = [end](const char* place) { return ends_word(place, end) || *place == ','; };
+  const auto ends = [end](const char* place) {
+    return ends_word(place, end) || *place == ',' || *place == '<';
+  };
   if (ends(stop)) {
     if (!make_finite(digits, stop, error, number)) return nullptr;
     value = number;

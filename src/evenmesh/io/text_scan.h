@@ -42,7 +42,8 @@ inline bool ends_word(const char* p, const char* end) {
 /// @return            where the number ends, or nullptr where there is no finite number
 const char* scan_number(const char* p, const char* end, double& value);
 
-/// The same for formats whose words may end at a comma and whose exponents may be written with D.
+/// The same for formats whose words may end at a comma or a tag and whose exponents may be written
+/// with D.
 const char* scan_value(const char* p, const char* end, double& value);
 
 /// Reads a whole number, digits with a sign or none, that ends a word or at a comma.

@@ -54,15 +54,19 @@ std::string_view TextScanner::rest_of_line() {
 
 void TextScanner::need(std::string_view what) {
   if (next()) return;
-  fail(fmt::format("the file ends where {} should be; it was cut off, copy or export it again",
+  fail(fmt::format("{} ends where {} should be; it was cut off, copy or export it again", whole_,
                    what));
+}
+
+bool TextScanner::ends_strangely(const char* stop) const {
+  return stop != end_ && (*stop == ',' || *stop == '<');
 }
 
 std::int64_t TextScanner::integer(std::string_view what) {
   need(what);
   std::int64_t value = 0;
   const char* const stop = scan_whole(p_, end_, value);
-  if (stop == nullptr || (stop != end_ && *stop == ',')) {
+  if (stop == nullptr || ends_strangely(stop)) {
     fail(fmt::format("{} is not a whole number; {} is expected here", quoted_word(p_, end_), what));
   }
   p_ = stop;
@@ -81,7 +85,7 @@ double TextScanner::real(std::string_view what) {
   need(what);
   double value = 0.0;
   const char* const stop = scan_value(p_, end_, value);
-  if (stop == nullptr || (stop != end_ && *stop == ',')) {
+  if (stop == nullptr || ends_strangely(stop)) {
     fail(fmt::format("{}; {} is expected here", explain_bad_number(p_, end_), what));
   }
   p_ = stop;
@@ -93,13 +97,13 @@ Vec3 TextScanner::position(int dimension, std::uint64_t vertex, std::uint64_t& o
   for (int k = 0; k < dimension; ++k) {
     if (!next()) {
       fail(
-          fmt::format("the file ends within the coordinates of vertex {}; it was cut off, copy or "
+          fmt::format("{} ends within the coordinates of vertex {}; it was cut off, copy or "
                       "export it again",
-                      vertex));
+                      whole_, vertex));
     }
     if (k == 0) offset = this->offset();
     const char* const stop = scan_value(p_, end_, position[k]);
-    if (stop == nullptr || (stop != end_ && *stop == ',')) {
+    if (stop == nullptr || ends_strangely(stop)) {
       fail(fmt::format("{} (a coordinate of vertex {})", explain_bad_number(p_, end_), vertex));
     }
     p_ = stop;
@@ -111,10 +115,10 @@ void TextScanner::check_room(std::uint64_t number, std::size_t bytes_each,
                              std::string_view things) const {
   const std::uint64_t fits = static_cast<std::uint64_t>(end_ - p_ + 1) / bytes_each;
   if (number <= fits) return;
-  fail(
-      fmt::format("promises {} {} but the rest of the file has room for {} at most; it was cut "
-                  "off, or the number is wrong",
-                  number, things, fits));
+  fail(fmt::format(
+      "promises {} {} but the rest of {} has room for {} at most; it was cut off, or the "
+      "number is wrong",
+      number, things, whole_, fits));
 }
 
 std::string TextScanner::shown() {

@@ -64,14 +64,24 @@ class TextScanner {
   void set_place(const char* p) { p_ = p; }
   const InputFile& input() const { return input_; }
 
+  /// Goes through a part of the file alone.
+  /// @param whole  what messages call the part: "the array"
+  void set_part(const char* first, const char* last, std::string_view whole) {
+    p_ = first;
+    end_ = last;
+    whole_ = whole;
+  }
+
  private:
   void need(std::string_view what);
+  bool ends_strangely(const char* stop) const;
 
   const InputFile& input_;
   const char* begin_;
   const char* p_;
   const char* end_;
   char comment_;
+  std::string_view whole_ = "the file";
 };
 
 }  // namespace evenmesh
