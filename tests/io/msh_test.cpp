@@ -259,6 +259,42 @@ TEST(Msh, PutsACellInTheCombinationOfItsPhysicalGroups) {
   EXPECT_EQ(file.mesh.cells().group(2), 1u);
 }
 
+/// Four by one quads in a row, their lower side in two physical lines and a line within.
+const std::string kRow =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n0 9 \"pin\"\n1 3 \"inlet\"\n1 4 "
+    "\"wall\"\n2 3 \"air\"\n$EndPhysicalNames\n$Nodes\n10\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 3 0 0\n5 4 "
+    "0 "
+    "0\n6 0 1 0\n7 1 1 0\n8 2 1 0\n9 3 1 0\n10 4 1 0\n$EndNodes\n$Elements\n10\n1 1 2 3 1 1 2\n2 1 "
+    "2 3 "
+    "1 2 3\n3 1 2 4 2 3 4\n4 1 2 4 2 4 5\n5 1 2 0 7 4 9\n6 15 2 9 1 6\n7 3 2 3 1 1 2 7 6\n8 3 2 3 "
+    "1 2 3 8 "
+    "7\n9 3 2 3 1 3 4 9 8\n10 3 2 3 1 4 5 10 9\n$EndElements\n";
+
+TEST(Msh, PhysicalLinesAndPointsAreSetsAndHoldTheirRims) {
+  const MeshFile file = read(kRow);
+  EXPECT_EQ(file.group_names, (std::vector<std::string>{"", "physical air"}));
+  EXPECT_EQ(testing::set_of(file, "marker", "inlet"), (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(testing::set_of(file, "marker", "wall"), (std::vector<Index>{2, 3, 4}));
+  EXPECT_EQ(testing::set_of(file, "nset", "pin"), std::vector<Index>{5});
+  ASSERT_EQ(file.sets.size(), 3u);
+  EXPECT_EQ(file.sets[1].members, 2u);
+  // 0, 2, 4: ends of inlet and wall; 3, 8: on the line within, which needs no name; 5: the pin.
+  EXPECT_EQ(file.held.vertices, (std::vector<Index>{0, 2, 3, 4, 5, 8}));
+}
+
+TEST(Msh, SurfacesOfAVolumeAreMarkersAndHoldTheirRims) {
+  // A cube; two of its sides have names, one belongs to an entity only.
+  const std::string text =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 3 \"load\"\n$EndPhysicalNames\n"
+      "$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 "
+      "1\n$EndNodes\n"
+      "$Elements\n3\n1 5 2 1 1 1 2 3 4 5 6 7 8\n2 3 2 3 1 1 2 3 4\n3 3 2 0 2 2 3 7 "
+      "6\n$EndElements\n";
+  const MeshFile file = read(text);
+  EXPECT_EQ(testing::set_of(file, "marker", "load"), (std::vector<Index>{0, 1, 2, 3}));
+  EXPECT_EQ(file.held.vertices, (std::vector<Index>{0, 1, 2, 3}));
+}
+
 TEST(Msh, SaysWhatItCannotHold) {
   EXPECT_EQ(read(kFormat2 + kNodes2 + "$Periodic\n0\n$EndPeriodic\n" + kElements2).notes.size(),
             1u);

@@ -120,7 +120,7 @@ TEST(Medit, ReadsCellsReferencesAndWhatIsRequired) {
   EXPECT_EQ(file.mesh.cells().group(2), 0u);
   EXPECT_EQ(set_of(file, "marker", "9"), (Numbers{0, 1, 2}));
   EXPECT_EQ(set_of(file, "nset", "7"), (Numbers{1, 4}));
-  EXPECT_EQ(file.held.vertices, (Numbers{0, 1, 3}));  // required, and between 8 and 9
+  EXPECT_EQ(file.held.vertices, (Numbers{0, 1, 2, 3}));  // required, and the rims of 8 and 9
   EXPECT_EQ(file.patch->cell_name(0), "cell 1 (line 13)");
   EXPECT_EQ(file.patch->vertex_name(0), "vertex 1 (line 6)");
   EXPECT_EQ(file.mesh.points()[3], Vec3(0, 0, 1));
@@ -131,7 +131,7 @@ TEST(Medit, PlanarFilesHaveNoThirdCoordinate) {
       "MeshVersionFormatted 1\nDimension 2\nVertices\n3\n0 0 1\n1 0 1\n0 1 1\nEdges\n2\n1 2 5\n2 3 "
       "6\nTriangles\n1\n1 2 3 0\nEnd";
   const MeshFile file = read_text(text, "a.mesh");
-  EXPECT_EQ(file.held.vertices, (Numbers{1}));
+  EXPECT_EQ(file.held.vertices, (Numbers{0, 1, 2}));  // where the edges of 5 and 6 end
   std::vector<Vec3> points = testing::points_of(file);
   points[1] = Vec3(0.5, 0.25, 3);
   EXPECT_EQ(file.representable(points)[1], Vec3(0.5, 0.25, 0));
@@ -263,7 +263,7 @@ TEST(Su2, ReadsCellsAndMarkers) {
   ASSERT_EQ(file.mesh.cells().size(), 2u);
   EXPECT_EQ(cell_of(file, 1), (Numbers{0, 2, 3}));
   EXPECT_EQ(set_of(file, "marker", "far field"), (Numbers{0, 1, 2}));
-  EXPECT_EQ(file.held.vertices, (Numbers{0}));
+  EXPECT_EQ(file.held.vertices, (Numbers{0, 2, 3}));  // where markers end
   EXPECT_EQ(file.patch->cell_name(1), "element 1 (line 5)");
   EXPECT_EQ(file.patch->vertex_name(3), "node 3 (line 10)");
   EXPECT_EQ(file.patch->first_vertex_number(), 0u);

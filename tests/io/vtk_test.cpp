@@ -221,6 +221,18 @@ TEST(VtkLegacy, ArraysAreFoundAmongOthers) {
   EXPECT_EQ(file.patch->vertex_name(2), "point 2 (line 7)");
 }
 
+TEST(VtkLegacy, LinesHoldTheRimsOfTheirGroupsAndWhatIsWithin) {
+  // Two by two quads; below two lines of group 5 and 6, in the middle one of group 5.
+  const MeshFile file = read_text(
+      legacy("DATASET UNSTRUCTURED_GRID\nPOINTS 9 double\n0 0 0 1 0 0 2 0 0 0 1 0 1 1 0 2 1 0 "
+             "0 2 0 1 2 0 2 2 0\nCELLS 7 29\n2 0 1\n2 1 2\n2 4 5\n4 0 1 4 3\n4 1 2 5 4\n4 3 4 7 "
+             "6\n4 4 5 8 7\nCELL_TYPES 7\n3 3 3 9 9 9 9\nCELL_DATA 7\nSCALARS MaterialIds "
+             "int\nLOOKUP_TABLE default\n5 6 5 1 1 1 1\n"),
+      "a.vtk");
+  EXPECT_EQ(file.group_names, (std::vector<std::string>{"", "MaterialIds 1"}));
+  EXPECT_EQ(file.held.vertices, (std::vector<Index>{0, 1, 2, 4, 5}));
+}
+
 TEST(VtkLegacy, WhatIsNotKnownBehindTheMeshIsLeftAlone) {
   const std::string text = legacy(kSquare +
                                   "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\nPOINT_DATA 4\nMYSTERY "

@@ -255,7 +255,8 @@ class Reader {
         name = name.substr(1, name.size() - 2);
       }
       if (dimension >= 0 && dimension <= 3) {
-        content_.groups.set_name(static_cast<int>(dimension), tag, name);
+        MshGroups& groups = dimension < 2 ? content_.side_groups : content_.groups;
+        groups.set_name(static_cast<int>(dimension), tag, name);
       }
     }
   }
@@ -303,6 +304,7 @@ class Reader {
       file.notes.push_back("The file has nodes but no elements that make a surface or a volume.");
     }
     file.group_names = content_.groups.names(*input_);
+    content_.add_sets(file);
     file.mesh = Mesh(std::move(content_.nodes.points), std::move(content_.cells));
     file.patch = std::make_unique<MshPatch>(input_, layout_, std::move(content_.nodes.tags),
                                             std::move(content_.nodes.offsets),

@@ -24,15 +24,15 @@ std::uint64_t read_count(MshScanner& scanner, std::string_view what) {
 }
 
 /// Reads the tags of an element: its physical group, its entity, and others that mean nothing here.
-std::uint32_t read_group(MshScanner& scanner, std::int64_t tags, int dimension, MshGroups& groups) {
+std::uint32_t read_group(MshScanner& scanner, std::int64_t tags, int dimension,
+                         MshContent& content) {
   std::array<std::int64_t, 2> first{};
   for (std::int64_t i = 0; i < tags; ++i) {
     const std::int64_t tag = scanner.integer("a tag of the element");
     if (i < 2) first[static_cast<std::size_t>(i)] = tag;
   }
-  if (dimension < 2) return 0;
   const std::span<const std::int64_t> physicals(first.data(), first[0] != 0 ? 1 : 0);
-  return groups.number(dimension, physicals, first[1]);
+  return content.group_number(dimension, physicals, first[1]);
 }
 
 std::int64_t read_tag_count(MshScanner& scanner) {
@@ -49,7 +49,7 @@ void read_line(MshScanner& scanner, MshContent& content) {
   const char* const place = scanner.item();
   const MshElementType type = msh_element_type(scanner, place, scanner.integer("the type"), tag);
   const std::int64_t tags = read_tag_count(scanner);
-  const std::uint32_t group = read_group(scanner, tags, type.dimension, content.groups);
+  const std::uint32_t group = read_group(scanner, tags, type.dimension, content);
   content.read_corners(scanner, type, kWide, tag, start, group);
   scanner.end_record();
 }
@@ -73,7 +73,7 @@ std::uint64_t read_block(MshScanner& scanner, std::uint64_t most, MshContent& co
   for (std::int64_t i = 0; i < count; ++i) {
     const char* const start = scanner.item();
     const std::uint64_t tag = scanner.element_tag(kWide);
-    const std::uint32_t group = read_group(scanner, tags, type.dimension, content.groups);
+    const std::uint32_t group = read_group(scanner, tags, type.dimension, content);
     content.read_corners(scanner, type, kWide, tag, start, group);
   }
   return static_cast<std::uint64_t>(count);

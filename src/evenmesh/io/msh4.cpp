@@ -139,11 +139,11 @@ void Msh4Reader::read_nodes() {
 void Msh4Reader::read_element_block(const Entity& entity, const MshElementType& type,
                                     std::uint64_t count) {
   std::uint32_t group = 0;
-  if (type.makes_cell() && count > 0) {
+  if (count > 0) {
     const auto found = content_.physicals.find({entity.dimension, entity.tag});
     const std::span<const std::int64_t> none;
-    group = content_.groups.number(
-        entity.dimension, found != content_.physicals.end() ? found->second : none, entity.tag);
+    group = content_.group_number(
+        type.dimension, found != content_.physicals.end() ? found->second : none, entity.tag);
   }
   for (; count > 0; --count) {
     scanner_.start_record();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/io/mesh_file.h"
 #include "evenmesh/io/msh_scanner.h"
 #include "evenmesh/io/node_numbers.h"
 #include "evenmesh/mesh/followers.h"
@@ -52,6 +53,14 @@ class MshGroups {
  public:
   void set_name(int dimension, std::int64_t physical, std::string_view name);
 
+  /// A physical group of a file, and the groups of this list that it has a part in.
+  struct Physical {
+    int dimension;
+    std::string name;                   // its number where it has none
+    std::vector<std::uint32_t> groups;  // sorted
+  };
+  std::vector<Physical> physicals() const;
+
   /// The number of the group of cells that are in these physical groups and this entity, where 0
   /// is none. The sign of a physical group's tag, which says how the elements are wound, is no
   /// part of it.
@@ -84,10 +93,21 @@ struct MshElementType {
 MshElementType msh_element_type(const MshScanner& scanner, const char* place, std::int64_t type,
                                 std::optional<std::uint64_t> tag);
 
+/// Points and lines of a Gmsh file, which make no cells, with their groups among MshContent's
+/// side_groups.
+struct MshSides {
+  std::vector<Index> points;
+  std::vector<std::uint32_t> point_groups;
+  std::vector<Index> lines;  // pairs
+  std::vector<std::uint32_t> line_groups;
+};
+
 /// Everything that is taken out of a Gmsh file.
 struct MshContent {
   MshNodes nodes;
-  MshGroups groups;
+  MshGroups groups;       // of cells
+  MshGroups side_groups;  // of points and lines: physical groups only
+  MshSides sides;
   Cells cells;
   Followers followers;
   std::vector<std::uint64_t> cell_offsets;  // where the cell's tag stands in the file
@@ -96,13 +116,24 @@ struct MshContent {
   /// @pre  the file has room for so many elements
   void reserve_cells(std::size_t elements);
 
-  /// Reads the nodes of an element from the place that the scanner is at, and adds its cell if it
-  /// makes one.
+  /// The group of elements of a dimension, in the one list or the other.
+  std::uint32_t group_number(int dimension, std::span<const std::int64_t> of_element,
+                             std::int64_t entity);
+
+  /// Reads the nodes of an element from the place that the scanner is at, and adds its cell or
+  /// side.
   /// @param place  where its tag stands
   void read_corners(MshScanner& scanner, const MshElementType& type, bool wide, std::uint64_t tag,
                     const char* place, std::uint32_t group);
 
+  /// Adds what the file calls by name to its sets, and finds the vertices that these hold.
+  /// @pre  the groups of the file have their names
+  void add_sets(MeshFile& file);
+
  private:
+  void add_surface_sets(MeshFile& file) const;
+  void hold_sides(const MshSides& all, bool volume, MeshFile& file) const;
+
   std::vector<Index> corners_;
 };
 

@@ -1,38 +1,39 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
+#include "evenmesh/mesh/mesh.h"
 
 namespace evenmesh {
 
-/// Finds where the boundary conditions of a file change: vertices on sides with different labels
-/// may not slide, even where the boundary is flat or straight, or an inlet would grow.
+/// Finds where the boundary conditions of a file change: vertices at the rim of the sides that have
+/// one label may not slide, even where the boundary is flat or straight, or an inlet would grow.
 class SideLabels {
  public:
-  /// @param label  what the file calls the side by, above 0
-  void add(std::span<const Index> vertices, std::uint32_t label) {
-    for (const Index v : vertices) {
-      if (v >= label_of_.size()) label_of_.resize(std::size_t{v} + 1 + label_of_.size(), 0);
-      if (label_of_[v] == 0) label_of_[v] = label;
-      if (label_of_[v] != label) label_of_[v] = kSeveral;
-    }
-  }
+  /// @param vertices  of a side: one, two of a line, or in order around a face
+  /// @param label     what the file calls the side by, above 0
+  void add(std::span<const Index> vertices, std::uint32_t label);
 
-  std::vector<Index> between() const {
-    std::vector<Index> result;
-    for (std::size_t v = 0; v < label_of_.size(); ++v) {
-      if (label_of_[v] == kSeveral) result.push_back(static_cast<Index>(v));
-    }
-    return result;
-  }
+  /// Vertices at rims, or on sides of several labels; sorted, each once.
+  std::vector<Index> rims() const;
 
  private:
   static constexpr std::uint32_t kSeveral = ~std::uint32_t{0};
-  std::vector<std::uint32_t> label_of_;
+  std::vector<std::uint32_t> label_of_;  // per vertex
+  /// What bounds a side, once for each: its label and one or two vertices.
+  std::vector<std::array<std::uint32_t, 3>> bounds_;
 };
+
+/// Vertices of lines that a file draws within a surface, with the same group on either side: a
+/// crack, a line that loads act on. Where groups meet the line is an interface anyway, and at the
+/// boundary the boundary.
+/// @param lines  pairs of vertices
+/// @return  sorted, each once
+std::vector<Index> on_lines_within(const Cells& cells, std::span<const Index> lines);
 
 }  // namespace evenmesh

@@ -256,7 +256,7 @@ class Reader {
     MeshFile file;
     if (cells_.empty()) file.notes.push_back("The file has nodes but no elements.");
     file.sets = std::move(sets_);
-    file.held = {labels_.between(), "between two markers"};
+    file.held = {labels_.rims(), "at the rims of markers"};
     file.mesh = Mesh(std::move(points_), std::move(cells_));
     file.patch = std::make_unique<PlacedPatch>(
         "su2", input_, CoordinateCode{.dimension = dimension_}, std::move(places_),

@@ -52,15 +52,21 @@ constexpr std::array kCellTypes{
     CellType{74, 5, CellKind::pyramid},
 };
 
+constexpr std::uint8_t kLine = 3;
+constexpr std::uint8_t kQuadraticLine = 21;
 constexpr std::uint8_t kPixel = 8;
 constexpr std::uint8_t kVoxel = 11;
 constexpr std::uint8_t kLagrange = 68;  // the first of these types
 
 /// Nothing, points and lines, of any order.
 bool makes_no_cell(std::uint8_t type) {
-  constexpr std::array<std::uint8_t, 9> kTypes = {0,  1, kVtkPolyVertex, 3, kVtkPolyLine, 21, 35,
-                                                  68, 75};
+  constexpr std::array<std::uint8_t, 9> kTypes = {
+      0, 1, kVtkPolyVertex, kLine, kVtkPolyLine, kQuadraticLine, 35, 68, 75};
   return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+}
+
+bool is_line(std::uint8_t type) {
+  return type == kLine || type == kVtkPolyLine || type == kQuadraticLine;
 }
 
 /// What to call a type that is not read.
@@ -143,6 +149,7 @@ void VtkContent::add_cell(std::size_t cell, std::uint8_t type, std::span<Index> 
     // From here on the numbers of cells are not those of the file.
     for (std::uint64_t i = 0; counted_ && i < number; ++i) numbers_.push_back(i);
     counted_ = false;
+    if (is_line(type)) add_line(type, points, number);
     return;
   }
   CellKind kind = CellKind::polygon;
@@ -161,6 +168,14 @@ void VtkContent::add_cell(std::size_t cell, std::uint8_t type, std::span<Index> 
   cells_.add(kind, points.first(corners));
   if (!counted_) numbers_.push_back(number);
   if (!piece_->places.empty()) places_.push_back(piece_->places[cell]);
+}
+
+void VtkContent::add_line(std::uint8_t type, std::span<const Index> points, std::size_t number) {
+  const std::size_t ends = type == kQuadraticLine ? 2 : points.size();
+  for (std::size_t i = 0; i + 1 < std::min(ends, points.size()); ++i) {
+    lines_.insert(lines_.end(), {points[i], points[i + 1]});
+    line_numbers_.push_back(number);
+  }
 }
 
 CellKind VtkContent::kind_of(std::size_t cell, std::uint8_t type, std::size_t points) const {
@@ -205,19 +220,46 @@ DataArray VtkContent::data_array(const VtkArray& array, const Numbers& numbers) 
   return result;
 }
 
-void VtkContent::set_groups(const Numbers& numbers, std::vector<std::string>& names) {
+void VtkContent::set_groups(std::vector<std::string>& names) {
   const auto found = std::find_if(arrays_.begin(), arrays_.end(), [](const VtkArray& array) {
     return array.on_cells && array.whole && names_material(array.name);
   });
   if (found == arrays_.end()) return;
-  const std::vector<double> values = data_array(*found, numbers).values();
+  const std::vector<double> values = found->values();
   std::map<double, std::uint32_t> groups;
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    const double value = values[counted_ ? cell : numbers_[cell]];
     const auto next = static_cast<std::uint32_t>(names.size());
-    const auto [at, is_new] = groups.emplace(values[cell], next);
-    if (is_new) names.push_back(fmt::format("{} {:.0f}", found->name, values[cell]));
+    const auto [at, is_new] = groups.emplace(value, next);
+    if (is_new) names.push_back(fmt::format("{} {:.0f}", found->name, value));
     cells_.set_group(cell, at->second);
   }
+  for (std::size_t i = 0; i < line_numbers_.size(); ++i) {
+    const auto next = static_cast<std::uint32_t>(groups.size() + 1);
+    const auto at = groups.emplace(values[line_numbers_[i]], next).first;
+    labels_.add(std::span(lines_).subspan(2 * i, 2), at->second);
+  }
+}
+
+/// Boundary conditions are where lines or, in a volume, surface cells have a group: their rims
+/// stay.
+HeldVertices VtkContent::held() const {
+  const bool volume = std::ranges::any_of(
+      cells_.kinds(), [](CellKind kind) { return traits(kind).dimension == 3; });
+  SideLabels surfaces;
+  for (std::size_t cell = 0; volume && cell < cells_.size(); ++cell) {
+    if (traits(cells_.kind(cell)).dimension == 2 && cells_.group(cell) != 0) {
+      surfaces.add(cells_.vertices(cell), cells_.group(cell));
+    }
+  }
+  std::vector<Index> vertices = volume ? surfaces.rims() : labels_.rims();
+  if (!volume) {
+    const std::vector<Index> within = on_lines_within(cells_, lines_);
+    vertices.insert(vertices.end(), within.begin(), within.end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  }
+  return {std::move(vertices), "on lines of the file, or at the rims of its groups"};
 }
 
 MeshFile VtkContent::take_file() {
@@ -227,7 +269,8 @@ MeshFile VtkContent::take_file() {
   if (cells_.empty()) add_note("The file has points but no cells that make a surface or a volume.");
   const auto numbers = std::make_shared<const std::vector<std::uint64_t>>(numbers_);
   file.group_names = {""};
-  set_groups(numbers, file.group_names);
+  set_groups(file.group_names);
+  file.held = held();
   for (const VtkArray& array : arrays_) file.arrays.push_back(data_array(array, numbers));
   file.notes = std::move(notes_);
   file.followers = std::move(followers_);
