@@ -2,7 +2,9 @@
 //
 // What a run does to files: the output, what was there before, and the input.
 #include <array>
+#include <map>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -56,6 +58,62 @@ TEST_F(Files, OfEveryMethodKeepThePromise) {
     EXPECT_EQ(report["method"], word);
     EXPECT_EQ(report["options"]["method"], word);
     EXPECT_EQ(report["inverted_after"], 0) << method;
+  }
+}
+
+/// Quads of width 1 so far from the origin that floats are a quarter apart; the vertices within are
+/// displaced by up to half a width.
+std::string coarse_points() {
+  std::string text;
+  unsigned noise = 1;
+  for (int j = 0; j <= 12; ++j) {
+    for (int i = 0; i <= 12; ++i) {
+      const bool within = i > 0 && j > 0 && i < 12 && j < 12;
+      for (const int place : {i, j}) {
+        noise = noise * 1103515245U + 12345U;
+        const int quarters = within ? static_cast<int>((noise >> 16U) % 3U) - 1 : 0;
+        text += fmt::format("{:.2f} ", 4.0e6 + place + 0.25 * quarters);
+      }
+      text += "0\n";
+    }
+  }
+  return text;
+}
+
+std::string coarse_quads(int base) {
+  std::string text;
+  for (int j = 0; j < 12; ++j) {
+    for (int i = 0; i < 12; ++i) {
+      const int a = 13 * j + i + base;
+      text += fmt::format("4 {} {} {} {}\n", a, a + 1, a + 14, a + 13);
+    }
+  }
+  return text;
+}
+
+TEST_F(Files, OfCoarseNumbersInvertNothingByRounding) {
+  std::string types;
+  for (int i = 0; i < 144; ++i) types += "9\n";
+  const std::map<std::string, std::string> files = {
+      {"coarse.ply",
+       "ply\nformat ascii 1.0\nelement vertex 169\nproperty float x\nproperty float y\nproperty "
+       "float "
+       "z\nelement face 144\nproperty list uchar int vertex_indices\nend_header\n" +
+           coarse_points() + coarse_quads(0)},
+      {"coarse.vtk",
+       "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 169 float\n" +
+           coarse_points() + "CELLS 144 720\n" + coarse_quads(0) + "CELL_TYPES 144\n" + types}};
+  for (const auto& [name, content] : files) {
+    folder_.write(name, content);
+    const std::string target = at("out_" + name);
+    const Outcome outcome = run({at(name), "-o", target});
+    ASSERT_EQ(outcome.exit_code, 0) << name << outcome.err;
+    testing::expect_promise(at(name), target);
+    const MeshFile written = read_mesh(target);
+    for (const Vec3& point : written.mesh.points()) {
+      EXPECT_EQ(point.x(), static_cast<double>(static_cast<float>(point.x())));
+    }
+    EXPECT_NE(bytes("out_" + name), content) << outcome.err;
   }
 }
 

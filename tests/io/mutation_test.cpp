@@ -3,6 +3,7 @@
 // Broken files by the thousand: each reader refuses them or keeps its promises. The seeds are those
 // of the fuzzers, which go on from here for as long as one likes (./run fuzz).
 #include <filesystem>
+#include <locale>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -86,6 +87,29 @@ class Mutator {
 
   shapes::Random random_;
 };
+
+class Comma final : public std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Seeds, AreReadAndWrittenTheSameInEveryLocale) {
+  const auto write_moved = [](const fs::path& path) {
+    const std::string bytes = testing::read_bytes(path);
+    const MeshFile file = read_mesh(InputFile::borrow(bytes, path.string()));
+    return fuzz::written(file, file.representable(fuzz::moved_points(file.mesh)));
+  };
+  for (const auto& entry :
+       fs::recursive_directory_iterator(testing::source_dir() / "fuzz/corpus")) {
+    if (!entry.is_regular_file()) continue;
+    const std::string classic = write_moved(entry.path());
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+    const std::string with_commas = write_moved(entry.path());
+    std::locale::global(before);
+    EXPECT_EQ(with_commas, classic) << entry.path();
+  }
+}
 
 TEST(Mutations, AreRefusedOrKeepThePromisesOfReaders) {
   constexpr int kMutations = 1500;
