@@ -61,20 +61,20 @@ TEST_F(Files, OfEveryMethodKeepThePromise) {
   }
 }
 
-/// Quads of width 1 so far from the origin that floats are a quarter apart; the vertices within are
-/// displaced by up to half a width.
+/// Quads so far from the origin that floats are a quarter apart, and some of them not wider than
+/// that; the vertices within are displaced along them.
 std::string coarse_points() {
+  constexpr std::array kColumns = {0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5,
+                                   2.0, 3.0,  4.0, 6.0,  8.0, 12.0};
   std::string text;
   unsigned noise = 1;
   for (int j = 0; j <= 12; ++j) {
     for (int i = 0; i <= 12; ++i) {
       const bool within = i > 0 && j > 0 && i < 12 && j < 12;
-      for (const int place : {i, j}) {
-        noise = noise * 1103515245U + 12345U;
-        const int quarters = within ? static_cast<int>((noise >> 16U) % 3U) - 1 : 0;
-        text += fmt::format("{:.2f} ", 4.0e6 + place + 0.25 * quarters);
-      }
-      text += "0\n";
+      noise = noise * 1103515245U + 12345U;
+      const int quarters = within ? static_cast<int>((noise >> 16U) % 3U) - 1 : 0;
+      text += fmt::format("{:.2f} {:.2f} 0\n", 4.0e6 + kColumns[static_cast<std::size_t>(i)],
+                          4.0e6 + j + 0.25 * quarters);
     }
   }
   return text;
@@ -114,6 +114,14 @@ TEST_F(Files, OfCoarseNumbersInvertNothingByRounding) {
       EXPECT_EQ(point.x(), static_cast<double>(static_cast<float>(point.x())));
     }
     EXPECT_NE(bytes("out_" + name), content) << outcome.err;
+
+    // As doubles the columns would be narrower and apart, as floats they fall together.
+    fs::remove(target);
+    const Outcome narrowed =
+        run({at(name), "-o", target, "--prescribe", "boundary = (4000000 - x) * 0.45, 0, 0"});
+    EXPECT_EQ(narrowed.exit_code, 5) << narrowed.err;
+    EXPECT_NE(narrowed.err.find("in the file as read back, "), std::string::npos) << narrowed.err;
+    EXPECT_FALSE(fs::exists(target));
   }
 }
 
