@@ -29,7 +29,7 @@ int check_command(const InputArguments& arguments, int threads, const Console& c
     print(fmt::format("{:<20} {:.4f}  {}{}\n", cell.name, cell.shape_after, traits(cell.kind).name,
                       cell.inverted ? ", inverted" : ""));
   }
-  if (bad == 0) return kDone;
+  if (bad == 0) return input.inverted_by_curves == 0 ? kDone : kBelowTarget;
   console.say(fmt::format("{} without a positive shape ({} inverted)",
                           bad == 1 ? "1 cell is" : with_commas(bad) + " cells are",
                           with_commas(summary.inverted)));

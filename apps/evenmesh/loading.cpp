@@ -7,6 +7,8 @@
 #include <fmt/core.h>
 
 #include "evenmesh/base/error.h"
+#include "evenmesh/mesh/curved_cells.h"
+#include "evenmesh/mesh/measure.h"
 
 namespace evenmesh::app {
 namespace {
@@ -20,6 +22,28 @@ std::array<std::size_t, kCellKinds> count_kinds(const Cells& cells) {
 std::string plural(CellKind kind) {
   if (kind == CellKind::hex) return "hexes";
   return std::string(traits(kind).name) + "s";
+}
+
+/// Their edges or faces fold them although their corners do not.
+void find_inverted_by_curves(Input& input, const Console& console) {
+  const Mesh& mesh = input.file.mesh;
+  const CurvedCells curved(mesh, input.file.followers, input.orientation);
+  std::string first;
+  for (const std::size_t cell : curved.inverted(mesh.points())) {
+    const auto corners = mesh.cells().vertices(cell);
+    const double least = least_corner(
+        mesh.cells().kind(cell), static_cast<int>(corners.size()),
+        [&](int i) -> const Vec3& { return mesh.points()[corners[static_cast<std::size_t>(i)]]; },
+        input.orientation.up(cell), input.orientation.sign(cell));
+    if (!(least > 0.0)) continue;
+    if (input.inverted_by_curves++ == 0) first = input.file.patch->cell_name(cell);
+  }
+  if (input.inverted_by_curves == 0) return;
+  console.say(fmt::format(
+      "note: {} of second order {} inverted by the nodes between the corners, {} first; straighten "
+      "the edges there in the program that made the mesh",
+      count_of(input.inverted_by_curves, "cell", "cells"),
+      input.inverted_by_curves == 1 ? "is" : "are", first));
 }
 
 }  // namespace
@@ -43,8 +67,9 @@ Input load(const InputArguments& arguments, const Console& console) {
   if (!followers.empty()) {
     const std::size_t curved = followers.curved(mesh.points());
     console.say(
-        fmt::format("note: cells of second order are judged by their corners; {} between "
+        fmt::format("note: cells of second order are judged by their corners{}; {} between "
                     "them move along{}",
+                    curved == 0 ? "" : ", curved ones also by all their nodes",
                     count_of(followers.size(), "node", "nodes"),
                     curved == 0 ? std::string()
                                 : fmt::format(", of which {} off the middle keep{} {} place "
@@ -55,6 +80,7 @@ Input load(const InputArguments& arguments, const Console& console) {
   input.orientation = find_orientation(mesh);
   input.topology =
       find_topology(mesh, input.orientation, {.feature_angle = arguments.feature_angle});
+  find_inverted_by_curves(input, console);
   if (input.orientation.against_majority > 0) {
     console.say(fmt::format(
         "note: {} wound against the others; the file keeps that, and it does not count as inverted",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "apps/evenmesh/console.h"
@@ -23,6 +24,7 @@ struct Input {
   MeshFile file;
   Orientation orientation;
   Topology topology;
+  std::size_t inverted_by_curves = 0;  // cells of second order whose corners alone make good ones
   double read_seconds = 0.0;
 };
 

@@ -22,6 +22,7 @@
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/text.h"
 #include "evenmesh/constraint/phrases.h"
+#include "evenmesh/mesh/curved_cells.h"
 #include "evenmesh/solver/guard.h"
 #include "evenmesh/solver/smooth.h"
 
@@ -220,6 +221,17 @@ class Run {
   void solve() {
     result_ = input_.file.mesh;
     options_.representable = [this](Points points) { return input_.file.representable(points); };
+    const CurvedCells curved(input_.file.mesh, input_.file.followers, input_.orientation);
+    if (curved.size() > 0) {
+      options_.spoilt = [this, &curved](Points points) {
+        std::vector<Index> vertices;
+        for (const std::size_t cell : curved.spoilt(points)) {
+          const auto corners = input_.file.mesh.cells().vertices(cell);
+          vertices.insert(vertices.end(), corners.begin(), corners.end());
+        }
+        return vertices;
+      };
+    }
     options_.progress = [this](const Iteration& iteration) {
       console_.progress(iteration, arguments_.tolerance);
       return !interrupted_();
@@ -334,6 +346,12 @@ class Run {
     const std::string breach = guard.find_breach(
         workers, written.points(), judge_quality ? Judge::quality_and_inversion : Judge::inversion);
     if (!breach.empty()) throw Refused("in the file as read back, " + breach);
+    const std::vector<std::size_t> spoilt =
+        CurvedCells(before, followers, problem_.orientation).spoilt(written.points());
+    if (!spoilt.empty()) {
+      throw Refused(fmt::format("in the file as read back, {} would be inverted beside its corners",
+                                input_.file.patch->cell_name(spoilt[0])));
+    }
   }
 
   // A result that was not written is not shown.

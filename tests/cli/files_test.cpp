@@ -274,6 +274,59 @@ TEST_F(Files, DecksOfSecondOrderKeepTheirLoadsAndTakeTheMiddlesOfEdgesAlong) {
   EXPECT_EQ(report["input"]["format"], "inp");
 }
 
+/// Six triangles of second order around a vertex; the two edges at the bottom are bent up by
+/// `bend`.
+std::string bent_below(double bend) {
+  const std::vector<std::array<int, 3>> triangles = {{0, 1, 6}, {1, 2, 6}, {2, 5, 6},
+                                                     {5, 4, 6}, {4, 3, 6}, {3, 0, 6}};
+  std::vector<std::pair<double, double>> points = {{0, 0}, {1, 0}, {2, 0},  {0, 2},
+                                                   {1, 2}, {2, 2}, {1, 1.6}};
+  std::map<std::pair<int, int>, std::size_t> middles;
+  std::string cells;
+  for (const auto& corners : triangles) {
+    cells += fmt::format("6 {} {} {}", corners[0], corners[1], corners[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto edge = std::minmax(corners[k], corners[(k + 1) % 3]);
+      const auto [at, is_new] = middles.emplace(edge, points.size());
+      const auto a = points[static_cast<std::size_t>(edge.first)];
+      const auto b = points[static_cast<std::size_t>(edge.second)];
+      const double up = a.second == 0 && b.second == 0 ? bend : 0.0;
+      if (is_new) points.emplace_back((a.first + b.first) / 2, (a.second + b.second) / 2 + up);
+      cells += fmt::format(" {}", at->second);
+    }
+    cells += "\n";
+  }
+  std::string text = fmt::format(
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {} double\n",
+      points.size());
+  for (const auto& [x, y] : points) text += fmt::format("{} {} 0\n", x, y);
+  return text + "CELLS 6 42\n" + cells + "CELL_TYPES 6\n22 22 22 22 22 22\n";
+}
+
+TEST_F(Files, OfSecondOrderAreNotFoldedBetweenTheirCorners) {
+  // A triangle of height h over an edge bent by b is inverted at its ends where h < 4 b.
+  for (const double bend : {0.0, 0.35}) {
+    folder_.write("bent.vtk", bent_below(bend));
+    const Outcome outcome = run({at("bent.vtk"), "-o", at("out.vtk"), "--fix", "boundary"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const double height = read_mesh(at("out.vtk")).mesh.points()[6].y();
+    if (bend == 0.0) {
+      EXPECT_LT(height, 1.2);
+    } else {
+      EXPECT_GT(height, 4 * bend);
+      EXPECT_LT(height, 1.6);
+    }
+    EXPECT_EQ(run({"check", at("out.vtk")}).exit_code, 0);
+  }
+  folder_.write("bent.vtk", bent_below(0.5));
+  const Outcome folded = run({"check", at("bent.vtk")});
+  EXPECT_EQ(folded.exit_code, 4);
+  EXPECT_NE(folded.err.find("2 cells of second order are inverted by the nodes between the "
+                            "corners, cell 0 (line 26) first"),
+            std::string::npos)
+      << folded.err;
+}
+
 TEST_F(Files, NamesThatPromiseAnotherFormatAreRefusedBeforeTheWork) {
   folder_.write("in.inp", kDeck);
   for (const char* name : {"out.obj", "out.inp.gz"}) {

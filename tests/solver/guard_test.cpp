@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "evenmesh/solver/reorder.h"
 #include "evenmesh/solver/smooth.h"
 #include "tests/solver/setup.h"
 #include "tests/support/shapes.h"
@@ -114,6 +115,22 @@ TEST_F(Square, RoundingIsHonoured) {
   std::vector<Vec3> points = centre_at(0.5 + 1e-9, 0.5 - 1e-9);
   guard_.enforce(workers_, points, kAll, in_single_precision);
   EXPECT_EQ(points[4], Vec3(0.5, 0.5, 0.0));
+}
+
+TEST_F(Square, WhatWouldBeSpoiltGoesBack) {
+  const auto right_of = [](double x) {
+    return [x](Points points) {
+      return points[4].x() > x ? std::vector<Index>{4} : std::vector<Index>();
+    };
+  };
+  std::vector<Vec3> points = centre_at(0.5, 0.5);  // it starts at 0.6
+  EXPECT_EQ(guard_.enforce(workers_, points, kAll, {}, right_of(0.7)).pulled_back, 0u);
+  points = centre_at(0.5, 0.5);
+  const auto left_of = [&](Points at) {
+    return at[4].x() < 0.54 ? std::vector<Index>{4} : std::vector<Index>();
+  };
+  EXPECT_EQ(guard_.enforce(workers_, points, kAll, {}, left_of).pulled_back, 1u);
+  EXPECT_NEAR(points[4].x(), 0.55, 1e-12);  // half-way
 }
 
 // The centre outside the square: the triangle at the wall is inverted from the start.
@@ -230,6 +247,24 @@ TEST(Smooth, RoundsWhatItJudges) {
   EXPECT_EQ(copy_of(mesh.points()), in_single_precision(mesh.points()));
   EXPECT_LT(report.cost_after, report.cost_before);
   EXPECT_GT(report.moved, 300u);
+}
+
+TEST(Smooth, AsksInTheNumbersOfTheMeshWhatWouldBeSpoilt) {
+  // Shuffled, so that the mesh is renumbered on the way.
+  const Mesh start = shapes::shuffled(shapes::irregular_triangles(20000, 0.3, 1, 0.6), 1);
+  ASSERT_TRUE(reorder_if_poor(start, problem_of(start)).has_value());
+  Options options;
+  options.max_iterations = 3;
+  Mesh free = start;
+  smooth(free, problem_of(start), options);
+  Index held = 0;
+  while ((free.points()[held] - start.points()[held]).norm() < 1e-4) ++held;
+  options.spoilt = [&](Points points) {
+    return points[held] != start.points()[held] ? std::vector<Index>{held} : std::vector<Index>();
+  };
+  Mesh kept = start;
+  smooth(kept, problem_of(start), options);
+  EXPECT_EQ(kept.points()[held], start.points()[held]);
 }
 
 TEST(Smooth, LetsQualityGetWorseOnlyWhenAllowed) {

@@ -106,12 +106,13 @@ std::string Guard::find_breach(Workers& workers, Points points, Judge judge) con
 class Guard::Retreat {
  public:
   Retreat(Workers& workers, const Guard& guard, std::vector<Vec3>& points, Judge judge,
-          const Rounding& rounding)
+          const Rounding& rounding, const Spoilt& spoilt)
       : workers_(workers),
         guard_(guard),
         points_(points),
         judge_(judge),
         rounding_(rounding),
+        spoilt_(spoilt),
         target_(points),
         stage_(points.size(), 0),
         marked_(points.size(), 0) {
@@ -169,6 +170,12 @@ class Guard::Retreat {
         marked_[v] = 1;
         any = true;
       }
+    }
+    if (!spoilt_) return any;
+    for (const Index v : spoilt_(points_)) {
+      if (!may_go_back(v)) continue;
+      marked_[v] = 1;
+      any = true;
     }
     return any;
   }
@@ -276,6 +283,7 @@ class Guard::Retreat {
   std::vector<Vec3>& points_;
   Judge judge_;
   const Rounding& rounding_;
+  const Spoilt& spoilt_;
   const std::vector<Vec3> target_;   // where the solver wants the vertices
   std::vector<std::uint8_t> stage_;  // per vertex: how far back it went, index into kLeft
   std::vector<char> marked_;         // per vertex: to go back one more stage
@@ -286,8 +294,8 @@ class Guard::Retreat {
 };
 
 Guard::Result Guard::enforce(Workers& workers, std::vector<Vec3>& points, Judge judge,
-                             const Rounding& rounding) const {
-  Retreat retreat(workers, *this, points, judge, rounding);
+                             const Rounding& rounding, const Spoilt& spoilt) const {
+  Retreat retreat(workers, *this, points, judge, rounding, spoilt);
   if (judge == Judge::nothing) {
     retreat.measure_deviation();
   } else {

@@ -57,6 +57,9 @@ class Guard {
   /// What a file can hold of positions (identity if empty).
   using Rounding = std::function<std::vector<Vec3>(Points)>;
 
+  /// Vertices of cells that would be spoilt in a way that the mesh does not know (none if empty).
+  using Spoilt = std::function<std::vector<Index>(Points)>;
+
   /// Changes positions until they keep the promise: vertices of offending cells go back half the
   /// way to where they were, then three quarters, then all of it. A vertex that is all the way back
   /// has the bits of the input, and a cell all of whose vertices are back cannot offend, so this
@@ -64,7 +67,7 @@ class Guard {
   /// Judge::nothing only rounds and measures.
   /// @param points  replaced by the positions that keep the promise, rounded
   Result enforce(Workers& workers, std::vector<Vec3>& points, Judge judge,
-                 const Rounding& rounding = {}) const;
+                 const Rounding& rounding = {}, const Spoilt& spoilt = {}) const;
 
  private:
   class Retreat;

@@ -236,7 +236,7 @@ class Smoothing {
     timer_ = Timer();
     keep_within_moves(problem_, origin_, mesh_.points(), points_);
     Guard::Result result =
-        guard_.enforce(workers_, points_, options_.judge, options_.representable);
+        guard_.enforce(workers_, points_, options_.judge, options_.representable, options_.spoilt);
     report_.inverted_unguarded = result.inverted_unguarded;
     find_what_holds(objective);
     if (result.mean_fell) keep_best_iterate(objective, mover, result);
@@ -312,7 +312,7 @@ class Smoothing {
     if (best_number == 0) return;
     keep_within_moves(problem_, origin_, mesh_.points(), best);
     const Guard::Result other =
-        guard_.enforce(workers_, best, options_.judge, options_.representable);
+        guard_.enforce(workers_, best, options_.judge, options_.representable, options_.spoilt);
     if (other.promise == Promise::unimproved ||
         other.after.of(Metric::shape).mean <= result.after.of(Metric::shape).mean) {
       return;
@@ -391,6 +391,17 @@ Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
   if (options.representable) {
     inner.representable = [&](Points points) {
       return reordered->from_original(options.representable(reordered->to_original(points)));
+    };
+  }
+  if (options.spoilt) {
+    inner.spoilt = [&](Points points) {
+      std::vector<Index> here(reordered->order.size());
+      for (std::size_t k = 0; k < here.size(); ++k) {
+        here[reordered->order[k]] = static_cast<Index>(k);
+      }
+      std::vector<Index> vertices = options.spoilt(reordered->to_original(points));
+      for (Index& v : vertices) v = here[v];
+      return vertices;
     };
   }
   Report report = bring_and_smooth(workers, reordered->mesh, reordered->problem, inner);

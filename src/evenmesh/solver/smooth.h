@@ -35,6 +35,10 @@ struct Options {
   /// What the output can hold of positions (single precision, fixed columns): what moved is rounded
   /// with this before it is judged. Must leave positions of the input as they are.
   std::function<std::vector<Vec3>(Points)> representable = {};
+  /// Vertices of cells that would be spoilt at positions in a way that the mesh does not know, such
+  /// as cells of second order with curved edges (CurvedCells): they go back towards where they
+  /// were. Must be empty for the positions of the input.
+  std::function<std::vector<Index>(Points)> spoilt = {};
   /// Called after every iteration from the calling thread; return false to stop there.
   std::function<bool(const Iteration&)> progress = {};
   /// dense: asked often during an iteration, which may take long; return true to stop where it
