@@ -30,10 +30,10 @@ bool has_known_format(const fs::path& path) {
   std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   });
-  if (suffix == ".inp") return read_bytes(path).starts_with("*");
   if (suffix == ".mesh") return read_bytes(path).starts_with("MeshVersionFormatted");
   return suffix == ".obj" || suffix == ".stl" || suffix == ".msh" || suffix == ".off" ||
-         suffix == ".ply" || suffix == ".su2" || suffix == ".vtk" || suffix == ".vtu";
+         suffix == ".ply" || suffix == ".su2" || suffix == ".vtk" || suffix == ".vtu" ||
+         suffix == ".inp" || suffix == ".bdf";
 }
 
 std::vector<fs::path> corpus_files(bool readable_formats) {
@@ -85,6 +85,8 @@ const std::map<std::string, Outcome> kOutcomes{
     {"hostile/quadratic_tet.vtk", {10, 1, ""}},
     {"hostile/truncated.vtk", refused(":5: promises 8 points")},
     {"hostile/wedge_both_orders.vtk", {12, 2, ""}},
+    {"nonmanifold/pynastran__bend_A1_105_2.bdf",
+     refused(":40: GRID 11031 is in coordinate system 1")},
     {"hostile/ascii_comma.stl",
      refused("ascii_comma.stl:4: '0,000000000e+00' has a decimal comma")},
     {"hostile/ascii_crlf.stl", {25, 32, ""}},

@@ -47,7 +47,7 @@ TEST(ReadMesh, RefusesOtherFormatsAndSaysWhichAreRead) {
       {"a.msh", "$NOD\n1\n1 0 0 0\n"},
       {"a.xml", "<?xml version='1.0'?>\n<mesh/>\n"},
       {"a.inp", "1 2 3\n"},
-      {"a.bdf", "CEND\nBEGIN BULK\n"}};
+      {"a.cdb", "/PREP7\n"}};
   for (const auto& [name, content] : files) {
     const std::string message = refusal(folder.write(name, content));
     EXPECT_TRUE(contains(message, "OBJ, STL, OFF, PLY, Gmsh MSH")) << message;

@@ -33,8 +33,8 @@ std::vector<std::vector<Index>> leaders_of(CellKind kind, EdgeOrder order, std::
   return result;
 }
 
-TEST(SecondOrder, EveryEdgeHasOneMiddleInEitherOrder) {
-  for (const EdgeOrder order : {EdgeOrder::levels, EdgeOrder::gmsh}) {
+TEST(SecondOrder, EveryEdgeHasOneMiddleInEveryOrder) {
+  for (const EdgeOrder order : {EdgeOrder::levels, EdgeOrder::gmsh, EdgeOrder::nastran}) {
     for (const CellKind kind : {CellKind::triangle, CellKind::quad, CellKind::tet, CellKind::hex,
                                 CellKind::wedge, CellKind::pyramid}) {
       const std::size_t edges = traits(kind).edges.size();
@@ -61,6 +61,16 @@ TEST(SecondOrder, GmshListsEdgesByTheirLowerCorner) {
   EXPECT_EQ(hex[12], (std::vector<Index>{0, 1, 2, 3}));
   EXPECT_EQ(hex[17], (std::vector<Index>{4, 5, 6, 7}));
   EXPECT_EQ(hex[18].size(), 8u);
+}
+
+TEST(SecondOrder, NastranListsUprightEdgesBeforeThoseOnTop) {
+  const auto hex = leaders_of(CellKind::hex, EdgeOrder::nastran, 20);
+  EXPECT_EQ(hex[3], (std::vector<Index>{3, 0}));
+  EXPECT_EQ(hex[4], (std::vector<Index>{0, 4}));
+  EXPECT_EQ(hex[8], (std::vector<Index>{4, 5}));
+  const auto wedge = leaders_of(CellKind::wedge, EdgeOrder::nastran, 15);
+  EXPECT_EQ(wedge[3], (std::vector<Index>{0, 3}));
+  EXPECT_EQ(wedge[6], (std::vector<Index>{3, 4}));
 }
 
 TEST(SecondOrder, MiddlesMoveByTheMeanOfTheirCorners) {

@@ -14,6 +14,8 @@
 #include "evenmesh/io/medit.h"
 #include "evenmesh/io/meshb.h"
 #include "evenmesh/io/msh.h"
+#include "evenmesh/io/nastran.h"
+#include "evenmesh/io/nastran_cards.h"
 #include "evenmesh/io/obj.h"
 #include "evenmesh/io/off.h"
 #include "evenmesh/io/ply.h"
@@ -21,6 +23,7 @@
 #include "evenmesh/io/stl_binary.h"
 #include "evenmesh/io/su2.h"
 #include "evenmesh/io/text_scan.h"
+#include "evenmesh/io/ucd.h"
 #include "evenmesh/io/vtk.h"
 #include "evenmesh/io/vtk_xml.h"
 
@@ -32,7 +35,8 @@ constexpr std::size_t kLookAt = 4096;
 
 constexpr std::string_view kReads =
     "evenmesh reads OBJ, STL, OFF, PLY, Gmsh MSH, MEDIT (.mesh, .meshb), VTK (.vtk, .vtu, .vtp), "
-    "SU2 and the decks of Abaqus and CalculiX, and all of them compressed with gzip";
+    "SU2, AVS UCD and the decks of Abaqus, CalculiX and Nastran, and all of them compressed with "
+    "gzip";
 
 /// Makes a reader that has no options one that has.
 template <MeshFile (*read)(std::shared_ptr<const InputFile>)>
@@ -56,6 +60,9 @@ constexpr std::array kFormats{
     FormatTraits{Format::vtp, "vtp", "a VTP file", ".vtp", without_options<read_vtp>},
     FormatTraits{Format::inp, "inp", "an Abaqus or CalculiX deck", ".inp",
                  without_options<read_inp>},
+    FormatTraits{Format::nastran, "nastran", "a Nastran deck", ".bdf .nas .fem .dat",
+                 without_options<read_nastran>},
+    FormatTraits{Format::ucd, "ucd", "a UCD file", ".inp", without_options<read_ucd>},
 };
 
 /// How a file of a format begins that is known but not read. Case does not matter.
@@ -85,9 +92,7 @@ constexpr std::array kSignatures{
 constexpr std::array kSuffixes{
     Signature{".msh", "a .msh file, but not Gmsh's"},
     Signature{".mesh", "a .mesh file, but not MEDIT's"},
-    Signature{".bdf", "a Nastran deck"},
-    Signature{".dat", "a .dat file"},
-    Signature{".inp", "a .inp file, but no deck of Abaqus or CalculiX; perhaps AVS UCD"},
+    Signature{".inp", "a .inp file, but neither a deck of Abaqus or CalculiX nor AVS UCD"},
     Signature{".ugrid", "a UGRID file"},
     Signature{".cgns", "a CGNS file"},
     Signature{".exo", "an Exodus file"},
@@ -262,6 +267,8 @@ Format find_format(const InputFile& input) {
   if (looks_like_obj(begin) || suffix == ".obj") return Format::obj;
   if (looks_like_su2(begin) || suffix == ".su2") return Format::su2;
   if (looks_like_inp(begin)) return Format::inp;
+  if (suffix == ".inp" && looks_like_ucd(begin)) return Format::ucd;
+  if (looks_like_nastran(begin) || suffix == ".bdf" || suffix == ".nas") return Format::nastran;
   if (suffix == ".stl") {
     input.fail(bytes.size() < kBinaryStlHeader
                    ? "is neither an ASCII STL, which begins with 'solid', nor long enough for a "

@@ -26,7 +26,9 @@ enum class Format : std::uint8_t {
   inp,
   vtk,
   vtu,
-  vtp
+  vtp,
+  nastran,
+  ucd
 };
 
 /// One row of the table of formats.

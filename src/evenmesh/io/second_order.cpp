@@ -20,6 +20,10 @@ std::vector<std::uint8_t> edges_in_order(CellKind kind, EdgeOrder order) {
     if (kind == CellKind::wedge) return {0, 2, 6, 1, 7, 8, 3, 5, 4};
     if (kind == CellKind::pyramid) return {0, 3, 4, 1, 5, 2, 6, 7};
   }
+  if (order == EdgeOrder::nastran) {
+    if (kind == CellKind::hex) return {0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7};
+    if (kind == CellKind::wedge) return {0, 1, 2, 6, 7, 8, 3, 4, 5};
+  }
   std::vector<std::uint8_t> all(traits(kind).edges.size());
   for (std::size_t j = 0; j < all.size(); ++j) all[j] = static_cast<std::uint8_t>(j);
   return all;
@@ -58,7 +62,7 @@ std::vector<Leaders> make_leaders(CellKind kind, EdgeOrder order) {
 }
 
 const std::vector<Leaders>& leaders_of(CellKind kind, EdgeOrder order) {
-  constexpr int kOrders = 2;
+  constexpr int kOrders = 3;
   static const auto kTable = [] {
     std::array<std::vector<Leaders>, kCellKinds * kOrders> table;
     for (int k = 0; k < kCellKinds; ++k) {
@@ -83,6 +87,7 @@ void add_followers(CellKind kind, EdgeOrder order, std::span<const Index> nodes,
   const std::size_t corners = corners_of(kind);
   std::array<Index, 8> around{};
   for (std::size_t i = corners; i < nodes.size(); ++i) {
+    if (nodes[i] == kNoNode) continue;
     const Leaders& local = leaders[i - corners];
     for (std::size_t k = 0; k < local.size(); ++k) around[k] = nodes[local[k]];
     followers.add(nodes[i], std::span(around).first(local.size()));

@@ -14,7 +14,8 @@ namespace evenmesh {
 /// In which order a format lists the middles of edges.
 enum class EdgeOrder : std::uint8_t {
   levels,  // bottom, top, then upright edges: Abaqus, CalculiX
-  gmsh     // by the lower of the two corners
+  gmsh,    // by the lower of the two corners
+  nastran  // bottom, upright, then top edges
 };
 
 /// Notes the nodes of a cell of second order that are no corners.

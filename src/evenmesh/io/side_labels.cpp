@@ -89,4 +89,26 @@ std::vector<Index> on_lines_within(const Cells& cells, std::span<const Index> li
   return result;
 }
 
+std::vector<Index> held_by_groups(const Cells& cells, std::span<const Index> lines,
+                                  std::span<const std::uint32_t> labels) {
+  const bool volume =
+      std::ranges::any_of(cells.kinds(), [](CellKind kind) { return traits(kind).dimension == 3; });
+  SideLabels sides;
+  if (volume) {
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+      const bool is_side = traits(cells.kind(cell)).dimension == 2 && cells.group(cell) != 0;
+      if (is_side) sides.add(cells.vertices(cell), cells.group(cell));
+    }
+    return sides.rims();
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] != 0) sides.add(lines.subspan(2 * i, 2), labels[i]);
+  }
+  std::vector<Index> held = sides.rims();
+  const std::vector<Index> within = on_lines_within(cells, lines);
+  held.insert(held.end(), within.begin(), within.end());
+  sort_and_join(held);
+  return held;
+}
+
 }  // namespace evenmesh

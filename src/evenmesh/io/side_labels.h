@@ -36,4 +36,11 @@ class SideLabels {
 /// @return  sorted, each once
 std::vector<Index> on_lines_within(const Cells& cells, std::span<const Index> lines);
 
+/// What a file with lines and cells in groups holds: in a volume the rims of its surface cells by
+/// their groups, else those of its lines and what lies on lines within.
+/// @param labels  of the lines, in the numbers of something; 0: none
+/// @return  sorted, each once
+std::vector<Index> held_by_groups(const Cells& cells, std::span<const Index> lines,
+                                  std::span<const std::uint32_t> labels);
+
 }  // namespace evenmesh

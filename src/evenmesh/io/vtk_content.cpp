@@ -11,6 +11,7 @@
 
 #include "evenmesh/base/text.h"
 #include "evenmesh/io/second_order.h"
+#include "evenmesh/io/side_labels.h"
 
 namespace evenmesh {
 namespace {
@@ -175,6 +176,7 @@ void VtkContent::add_line(std::uint8_t type, std::span<const Index> points, std:
   for (std::size_t i = 0; i + 1 < std::min(ends, points.size()); ++i) {
     lines_.insert(lines_.end(), {points[i], points[i + 1]});
     line_numbers_.push_back(number);
+    line_labels_.push_back(0);
   }
 }
 
@@ -237,29 +239,8 @@ void VtkContent::set_groups(std::vector<std::string>& names) {
   for (std::size_t i = 0; i < line_numbers_.size(); ++i) {
     const auto next = static_cast<std::uint32_t>(groups.size() + 1);
     const auto at = groups.emplace(values[line_numbers_[i]], next).first;
-    labels_.add(std::span(lines_).subspan(2 * i, 2), at->second);
+    line_labels_[i] = at->second;
   }
-}
-
-/// Boundary conditions are where lines or, in a volume, surface cells have a group: their rims
-/// stay.
-HeldVertices VtkContent::held() const {
-  const bool volume = std::ranges::any_of(
-      cells_.kinds(), [](CellKind kind) { return traits(kind).dimension == 3; });
-  SideLabels surfaces;
-  for (std::size_t cell = 0; volume && cell < cells_.size(); ++cell) {
-    if (traits(cells_.kind(cell)).dimension == 2 && cells_.group(cell) != 0) {
-      surfaces.add(cells_.vertices(cell), cells_.group(cell));
-    }
-  }
-  std::vector<Index> vertices = volume ? surfaces.rims() : labels_.rims();
-  if (!volume) {
-    const std::vector<Index> within = on_lines_within(cells_, lines_);
-    vertices.insert(vertices.end(), within.begin(), within.end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  }
-  return {std::move(vertices), "on lines of the file, or at the rims of its groups"};
 }
 
 MeshFile VtkContent::take_file() {
@@ -270,7 +251,8 @@ MeshFile VtkContent::take_file() {
   const auto numbers = std::make_shared<const std::vector<std::uint64_t>>(numbers_);
   file.group_names = {""};
   set_groups(file.group_names);
-  file.held = held();
+  file.held = {held_by_groups(cells_, lines_, line_labels_),
+               "on lines of the file, or at the rims of its groups"};
   for (const VtkArray& array : arrays_) file.arrays.push_back(data_array(array, numbers));
   file.notes = std::move(notes_);
   file.followers = std::move(followers_);

@@ -12,7 +12,6 @@
 #include "evenmesh/io/input_file.h"
 #include "evenmesh/io/mesh_file.h"
 #include "evenmesh/io/placed_patch.h"
-#include "evenmesh/io/side_labels.h"
 #include "evenmesh/mesh/mesh.h"
 
 namespace evenmesh {
@@ -76,22 +75,21 @@ class VtkContent {
   CellKind kind_of(std::size_t cell, std::uint8_t type, std::size_t points) const;
   void add_line(std::uint8_t type, std::span<const Index> points, std::size_t number);
   void set_groups(std::vector<std::string>& names);
-  HeldVertices held() const;
   DataArray data_array(const VtkArray& array, const Numbers& numbers) const;
 
   std::shared_ptr<const InputFile> input_;
   std::vector<Vec3> points_;
   Cells cells_;
   Followers followers_;
-  bool counted_ = true;                    // every cell of the file is one of the mesh
-  std::vector<std::uint64_t> numbers_;     // else: in the file, of each cell
-  std::vector<std::uint64_t> places_;      // of each cell in a text
-  std::vector<Index> lines_;               // pairs
-  std::vector<std::size_t> line_numbers_;  // in the file, of the cell that each is of
-  SideLabels labels_;                      // of lines
-  std::size_t in_file_ = 0;                // cells, vertices and lines
-  std::size_t before_ = 0;                 // of these in the pieces before the one at hand
-  const VtkCells* piece_ = nullptr;        // at hand
+  bool counted_ = true;                     // every cell of the file is one of the mesh
+  std::vector<std::uint64_t> numbers_;      // else: in the file, of each cell
+  std::vector<std::uint64_t> places_;       // of each cell in a text
+  std::vector<Index> lines_;                // pairs
+  std::vector<std::size_t> line_numbers_;   // in the file, of the cell that each is of
+  std::vector<std::uint32_t> line_labels_;  // by their groups; 0: none
+  std::size_t in_file_ = 0;                 // cells, vertices and lines
+  std::size_t before_ = 0;                  // of these in the pieces before the one at hand
+  const VtkCells* piece_ = nullptr;         // at hand
   std::vector<VtkArray> arrays_;
   std::vector<std::string> notes_;
 };
