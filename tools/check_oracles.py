@@ -35,6 +35,7 @@ def numpy():
 VTK_READERS = {".vtk": "vtkGenericDataObjectReader", ".vtu": "vtkXMLUnstructuredGridReader",
                ".vtp": "vtkXMLPolyDataReader", ".ply": "vtkPLYReader", ".stl": "vtkSTLReader",
                ".obj": "vtkOBJReader"}
+EXODUS_SUFFIXES = (".e", ".exo", ".g")
 VTK_READ_ALL = ("Scalars", "Vectors", "Normals", "Tensors", "TCoords", "Fields", "ColorScalars")
 VTK_CELLS = ("Cells", "Verts", "Lines", "Polys", "Strips")
 
@@ -94,6 +95,41 @@ def vtk_facts(path):
     return facts
 
 
+def exodus_facts(path):
+    """VTK's Exodus reader, a thing of its own: a tree of blocks and sets."""
+    vtk = importlib.import_module("vtk")
+    reader = vtk.vtkExodusIIReader()
+    reader.SetFileName(str(path))
+    errors = []
+    # The reader hands the events of its own parts on.
+    vtk.vtkObject.GlobalWarningDisplayOff()
+    reader.AddObserver("ErrorEvent", lambda *_: errors.append("an error"))
+    reader.UpdateInformation()
+    for kind in (reader.NODE_SET, reader.SIDE_SET):
+        for index in range(reader.GetNumberOfObjects(kind)):
+            reader.SetObjectStatus(kind, index, 1)
+    for index in range(reader.GetNumberOfPointResultArrays()):
+        reader.SetPointResultArrayStatus(reader.GetPointResultArrayName(index), 1)
+    reader.ApplyDisplacementsOff()
+    reader.Update()
+    facts = {}
+    leaves = reader.GetOutput().NewIterator()
+    while not leaves.IsDoneWithTraversal():
+        piece = leaves.GetCurrentDataObject()
+        name = f"{len(facts)} '{leaves.GetCurrentMetaData().Get(vtk.vtkCompositeDataSet.NAME())}'"
+        fields = [piece.GetPointData(), piece.GetCellData()]
+        facts[name] = {
+            "points": piece.GetNumberOfPoints(), "types": vtk_values(piece.GetCellTypesArray()),
+            "offsets": vtk_values(piece.GetCells().GetOffsetsArray()),
+            "connectivity": vtk_values(piece.GetCells().GetConnectivityArray()),
+            "fields": [{data.GetArrayName(i): vtk_values(data.GetAbstractArray(i))
+                        for i in range(data.GetNumberOfArrays())} for data in fields]}
+        leaves.GoToNextItem()
+    if errors or not facts:
+        raise Unreadable(errors[0] if errors else "no blocks")
+    return facts
+
+
 # meshio
 
 def meshio_facts(path):
@@ -150,6 +186,7 @@ def gmsh_model_facts(gmsh):
 
 ORACLES = [  # name, module, what it sees in a file, suffixes of the files it is asked about
     ("VTK", "vtk", vtk_facts, tuple(VTK_READERS)),
+    ("VTK", "vtk", exodus_facts, EXODUS_SUFFIXES),
     ("meshio", "meshio", meshio_facts,
      (".msh", ".inp", ".mesh", ".meshb", ".bdf", ".nas", ".fem", ".su2", ".off", ".vtu", ".vtk")),
     ("Gmsh", "gmsh", gmsh_facts, (".msh",)),

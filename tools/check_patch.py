@@ -772,6 +772,79 @@ def add_meshb_vertices(layout, at, order, version, dimension):
         layout.add_row(at + size * vertex, form, vertex, dimension)
 
 
+# Exodus: netCDF in a classic format
+
+def is_netcdf(data):
+    return data[:3] == b"CDF" and data[3:4] in (b"\1", b"\2", b"\5")
+
+
+class NetcdfHead:
+    """Reads the header: dimensions by number, variables as (name, dimensions, type, begin)."""
+    SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 4, 6: 8, 7: 1, 8: 2, 9: 4, 10: 8, 11: 8}
+
+    def __init__(self, data):
+        self.data, self.at = data, 4
+        self.count_code = ">q" if data[3] == 5 else ">i"
+        self.begin_code = ">i" if data[3] == 1 else ">q"
+        self.take(self.count_code)
+        self.dimensions = [(self.name(), self.take(self.count_code)) for _ in range(self.listed())]
+        self.skip_attributes()
+        self.variables = [self.variable() for _ in range(self.listed())]
+
+    def take(self, code):
+        (value,), self.at = unpack(code, self.data, self.at)
+        return value
+
+    def listed(self):
+        self.take(">i")
+        return self.take(self.count_code)
+
+    def skip(self, size):
+        expect_room(self.data, self.at, size)
+        self.at += (size + 3) // 4 * 4
+
+    def name(self):
+        size = self.take(self.count_code)
+        first = self.at
+        self.skip(size)
+        return bytes(self.data[first:first + size]).decode("latin-1")
+
+    def skip_attributes(self):
+        for _ in range(self.listed()):
+            self.name()
+            size = self.SIZES[self.take(">i")]
+            self.skip(size * self.take(self.count_code))
+
+    def variable(self):
+        name = self.name()
+        shape = [self.take(self.count_code) for _ in range(self.take(self.count_code))]
+        self.skip_attributes()
+        kind = self.take(">i")
+        self.take(self.count_code)
+        return name, shape, kind, self.take(self.begin_code)
+
+
+def parse_exodus(data):
+    layout = Layout(data)
+    head = NetcdfHead(data)
+    lengths = dict(head.dimensions)
+    nodes, dimension = lengths["num_nodes"], lengths["num_dim"]
+    arrays = {name: (begin, kind) for name, _, kind, begin in head.variables}
+    places = []
+    for axis in range(dimension):
+        name = "coordx coordy coordz".split()[axis]
+        begin, kind = arrays.get(name) or arrays["coord"]
+        size = NetcdfHead.SIZES[kind]
+        if name not in arrays:
+            begin += axis * nodes * size
+        expect_room(data, begin, nodes * size)
+        places.append((begin, size, Binary(">f" if size == 4 else ">d")))
+    for begin, size, form in sorted(places, key=lambda place: place[0]):
+        for vertex in range(nodes):
+            layout.add_row(begin + size * vertex, form, vertex, 1)
+    return layout
+
+
 # SU2
 
 def parse_su2(data):
@@ -909,6 +982,7 @@ def is_off(data, suffix):
 
 FORMATS = [  # name, parser, whether a file is in it
     ("meshb", parse_meshb, lambda data, suffix: is_meshb(data)),
+    ("exodus", parse_exodus, lambda data, suffix: is_netcdf(data)),
     ("ply", parse_ply, lambda data, suffix: re.match(rb"ply\s", data)),
     ("vtk", parse_vtk, lambda data, suffix: data.startswith(b"# vtk DataFile")),
     ("vtk xml", parse_vtk_xml, lambda data, suffix: b"<VTKFile" in data[:2000]),

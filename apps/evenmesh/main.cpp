@@ -38,8 +38,8 @@ constexpr const char* kExamples = R"(Examples:
 
 Makes the cells of a mesh even by moving its vertices, never its connectivity, and never
 hands back a mesh that is worse. Reads and patches OBJ, STL, OFF, PLY, Gmsh MSH,
-VTK (.vtk, .vtu, .vtp), MEDIT (.mesh, .meshb), SU2, AVS UCD and decks of Abaqus, CalculiX
-and Nastran, gzipped or not.
+VTK (.vtk, .vtu, .vtp), MEDIT (.mesh, .meshb), SU2, Exodus, AVS UCD and decks of Abaqus,
+CalculiX and Nastran, gzipped or not.
 )";
 
 constexpr const char* kExitCodes = R"(

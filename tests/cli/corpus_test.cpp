@@ -53,9 +53,9 @@ std::vector<fs::path> corpus_files() {
     std::string suffix = entry.path().extension().string();
     std::ranges::transform(suffix, suffix.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array<std::string_view, 12> kSuffixes = {".obj",   ".stl", ".off", ".msh",
-                                                            ".ply",   ".inp", ".su2", ".mesh",
-                                                            ".meshb", ".vtk", ".vtu", ".bdf"};
+    constexpr std::array<std::string_view, 13> kSuffixes = {
+        ".obj",  ".stl",   ".off", ".msh", ".ply", ".inp", ".su2",
+        ".mesh", ".meshb", ".vtk", ".vtu", ".bdf", ".g"};
     if (!entry.is_regular_file() || std::ranges::find(kSuffixes, suffix) == kSuffixes.end())
       continue;
     if (entry.file_size() <= kLargest) files.push_back(entry.path());

@@ -33,7 +33,7 @@ bool has_known_format(const fs::path& path) {
   if (suffix == ".mesh") return read_bytes(path).starts_with("MeshVersionFormatted");
   return suffix == ".obj" || suffix == ".stl" || suffix == ".msh" || suffix == ".off" ||
          suffix == ".ply" || suffix == ".su2" || suffix == ".vtk" || suffix == ".vtu" ||
-         suffix == ".inp" || suffix == ".bdf";
+         suffix == ".inp" || suffix == ".bdf" || suffix == ".g";
 }
 
 std::vector<fs::path> corpus_files(bool readable_formats) {

@@ -19,13 +19,21 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::map<std::string, std::vector<Format>> kFormats = {
-    {"inp", {Format::inp}},         {"medit", {Format::medit}},
-    {"meshb", {Format::meshb}},     {"msh", {Format::msh}},
-    {"nastran", {Format::nastran}}, {"obj", {Format::obj}},
-    {"off", {Format::off}},         {"ply", {Format::ply}},
-    {"su2", {Format::su2}},         {"stl", {Format::stl_ascii, Format::stl_binary}},
-    {"ucd", {Format::ucd}},         {"vtk", {Format::vtk}},
-    {"vtp", {Format::vtp}},         {"vtu", {Format::vtu}},
+    {"exodus", {Format::exodus}},
+    {"inp", {Format::inp}},
+    {"medit", {Format::medit}},
+    {"meshb", {Format::meshb}},
+    {"msh", {Format::msh}},
+    {"nastran", {Format::nastran}},
+    {"obj", {Format::obj}},
+    {"off", {Format::off}},
+    {"ply", {Format::ply}},
+    {"su2", {Format::su2}},
+    {"stl", {Format::stl_ascii, Format::stl_binary}},
+    {"ucd", {Format::ucd}},
+    {"vtk", {Format::vtk}},
+    {"vtp", {Format::vtp}},
+    {"vtu", {Format::vtu}},
 };
 
 /// Changes a few bytes, repeats or drops a stretch, or puts a word there that often hurts.

@@ -145,6 +145,7 @@ TEST(Medit, RefusesWithTheLineAtFault) {
   expect_refusals(
       "a.mesh",
       {{head, ": has no vertices"},
+       {head + "Dimension 2\n", ":3: a second Dimension"},
        {"MeshVersionFormatted 2\nDimension 4\n", ":2: the dimension is 4"},
        {"MeshVersionFormatted 2\nVertices 1\n0 0 0 0\n", ":2: Vertices come before Dimension"},
        {head + "Vertices 9999999\n0 0 0 0\n", ":3: promises 9999999 vertices"},

@@ -47,9 +47,11 @@ void EncodedPatch::write(Points points, const std::function<void(std::string_vie
   const std::size_t each = 3 * code_.bytes_each();
   std::vector<Replacement> replacements;
   for (const EncodedPoints& piece : points_) {
-    const std::string before =
-        decode(*input_, piece.begin, piece.end, encoding_, piece.count * each).bytes;
+    const VtkBytes decoded =
+        decode(*input_, piece.begin, piece.end, encoding_, piece.count * each);
+    const std::string_view before = decoded.bytes();
     std::string after;
+    after.reserve(before.size());
     const auto append = [&after](std::string_view bytes) { after += bytes; };
     const BytePatcher::Sink append_to_after = append;
     BytePatcher out(before, append_to_after);

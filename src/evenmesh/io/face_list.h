@@ -14,7 +14,7 @@ namespace evenmesh {
 /// write for points and edges, become none.
 class FaceList {
  public:
-  void reserve(std::size_t faces) { cells_.reserve(faces, 3 * faces); }
+  void reserve(std::size_t faces);
   /// @param place  where the face stands in the file
   void add(std::span<const Index> vertices, std::uint64_t place, std::uint32_t group = 0);
 
@@ -27,7 +27,7 @@ class FaceList {
 
  private:
   Cells cells_;
-  std::vector<std::uint64_t> numbers_;
+  std::vector<std::uint64_t> numbers_;  // once a face was skipped
   std::vector<std::uint64_t> places_;
   std::size_t count_ = 0;  // of all faces
   std::size_t first_skipped_ = 0;

@@ -10,12 +10,14 @@
 #include <fmt/core.h>
 
 #include "evenmesh/base/text.h"
+#include "evenmesh/io/exodus.h"
 #include "evenmesh/io/inp.h"
 #include "evenmesh/io/medit.h"
 #include "evenmesh/io/meshb.h"
 #include "evenmesh/io/msh.h"
 #include "evenmesh/io/nastran.h"
 #include "evenmesh/io/nastran_cards.h"
+#include "evenmesh/io/netcdf_header.h"
 #include "evenmesh/io/obj.h"
 #include "evenmesh/io/off.h"
 #include "evenmesh/io/ply.h"
@@ -35,7 +37,8 @@ constexpr std::size_t kLookAt = 4096;
 
 constexpr std::string_view kReads =
     "evenmesh reads OBJ, STL, OFF, PLY, Gmsh MSH, MEDIT (.mesh, .meshb), VTK (.vtk, .vtu, .vtp), "
-    "SU2, AVS UCD and the decks of Abaqus, CalculiX and Nastran, and all of them compressed with "
+    "SU2, AVS UCD, Exodus and the decks of Abaqus, CalculiX and Nastran, and all of them "
+    "compressed with "
     "gzip";
 
 /// Makes a reader that has no options one that has.
@@ -62,6 +65,8 @@ constexpr std::array kFormats{
                  without_options<read_inp>},
     FormatTraits{Format::nastran, "nastran", "a Nastran deck", ".bdf .nas .fem .dat",
                  without_options<read_nastran>},
+    FormatTraits{Format::exodus, "exodus", "an Exodus file", ".e .exo .ex2 .exii .g .gen",
+                 without_options<read_exodus>},
     FormatTraits{Format::ucd, "ucd", "a UCD file", ".inp", without_options<read_ucd>},
 };
 
@@ -81,9 +86,10 @@ constexpr std::array kSignatures{
               "7zXZ",
               "compressed with xz; unpack it with unxz first"},
     Signature{"PK\x03\x04", "a zip archive, perhaps 3MF; unpack it first"},
-    Signature{"\x89HDF", "an HDF5 file (Exodus, MED, CGNS)"},
-    Signature{"CDF\x01", "a netCDF file (Exodus)"},
-    Signature{"CDF\x02", "a netCDF file (Exodus)"},
+    Signature{
+        "\x89HDF",
+        "an HDF5 file (MED, CGNS, or Exodus in netCDF-4, of which 'nccopy -k cdf5 IN OUT' makes "
+        "one that is read)"},
     Signature{"glTF", "a glTF file (.glb)"},
     Signature{"Kaydara FBX", "an FBX file (.fbx)"},
 };
@@ -95,8 +101,7 @@ constexpr std::array kSuffixes{
     Signature{".inp", "a .inp file, but neither a deck of Abaqus or CalculiX nor AVS UCD"},
     Signature{".ugrid", "a UGRID file"},
     Signature{".cgns", "a CGNS file"},
-    Signature{".exo", "an Exodus file"},
-    Signature{".e", "an Exodus file"},
+    Signature{".exo", "a .exo file, but not netCDF"},
     Signature{".med", "a MED file"},
     Signature{".k", "an LS-DYNA deck"},
     Signature{".unv", "an I-DEAS universal file"},
@@ -244,6 +249,7 @@ Format find_format(const InputFile& input) {
   if (looks_like_ply(begin)) return Format::ply;
   if (looks_like_meshb(begin)) return Format::meshb;
   if (begins(begin, "# vtk datafile")) return Format::vtk;
+  if (is_netcdf(begin)) return Format::exodus;
   if (const auto dataset = vtk_xml_dataset(begin)) {
     return *dataset == "PolyData" ? Format::vtp : Format::vtu;
   }

@@ -28,6 +28,7 @@ enum class Format : std::uint8_t {
   vtu,
   vtp,
   nastran,
+  exodus,
   ucd
 };
 

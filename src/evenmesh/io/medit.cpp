@@ -47,6 +47,7 @@ class Reader {
       if (dimension != 2 && dimension != 3) {
         scanner_.fail(place, fmt::format("the dimension is {}; 2 and 3 are read", dimension));
       }
+      if (dimension_ != 0) scanner_.fail(place, "a second Dimension; keep the right one");
       dimension_ = static_cast<int>(dimension);
     } else if (name == "Vertices") {
       read_vertices(place);
@@ -67,6 +68,7 @@ class Reader {
     constexpr std::size_t kLeast = 6;  // "0 0 0" and a blank
     scanner_.check_room(count, kLeast, "vertices");
     places_.reserve(count);
+    content_.reserve_vertices(count);
     for (std::uint64_t i = 0; i < count; ++i) {
       std::uint64_t offset = 0;
       const Vec3 position = scanner_.position(dimension_, i + 1, offset);
@@ -86,6 +88,8 @@ class Reader {
     }
     const std::uint64_t count = scanner_.count("the size of a section");
     scanner_.check_room(count, 2 * std::max<std::size_t>(1, section.corners), section.name);
+    content_.reserve_entries(section, count);
+    if (section.role == MeditRole::cells) cell_places_.reserve(cell_places_.size() + count);
     for (std::uint64_t i = 0; i < count; ++i) {
       scanner_.next();
       if (section.role == MeditRole::cells) cell_places_.push_back(scanner_.offset());

@@ -70,6 +70,13 @@ void MeditContent::add_vertex(const Vec3& position, std::int64_t reference) {
   points_.push_back(position);
 }
 
+void MeditContent::reserve_entries(const MeditSection& section, std::size_t count) {
+  if (section.role != MeditRole::cells) return;
+  cells_.reserve(cells_.size() + count, cells_.corners().size() + count * section.corners);
+  cells_of_[static_cast<std::size_t>(section.kind)].reserve(count);
+  references_.reserve(references_.size() + count);
+}
+
 void MeditContent::add_cell_or_edge(const MeditSection& section, std::int64_t reference) {
   if (section.role == MeditRole::edges) {
     edges_.insert(edges_.end(), corners_.begin(), corners_.end());

@@ -43,6 +43,9 @@ inline constexpr int kMeditEnd = 54;
 /// Everything that is taken out of a MEDIT file, text or binary.
 class MeditContent {
  public:
+  void reserve_vertices(std::size_t count) { points_.reserve(count); }
+  /// Before `count` entries of that section are added.
+  void reserve_entries(const MeditSection& section, std::size_t count);
   void add_vertex(const Vec3& position, std::int64_t reference);
   /// Takes one entry of a section that is not too high.
   /// @param number   of (what, how many there are): reads a number of one of these, made to count

@@ -50,6 +50,7 @@ class Reader {
 
   void read_section(int code, std::uint64_t place) {
     if (code == kMeditDimension) {
+      if (dimension_ != 0) scanner_.fail(place, "a second dimension; export the mesh again");
       dimension_ = scanner_.take<std::int32_t>();
       if (dimension_ != 2 && dimension_ != 3) {
         scanner_.fail(place, fmt::format("the dimension is {}; 2 and 3 are read", dimension_));
@@ -70,6 +71,7 @@ class Reader {
     const std::uint64_t count =
         take_count("vertices", code_.bytes_each() * static_cast<std::size_t>(dimension_));
     places_.reserve(count);
+    content_.reserve_vertices(count);
     for (std::uint64_t i = 0; i < count; ++i) {
       places_.push_back(scanner_.offset());
       const Vec3 position = code_.position_at(input_->bytes().data() + scanner_.offset());
@@ -98,6 +100,7 @@ class Reader {
                                        section.name));
     }
     const std::uint64_t count = take_count(section.name, section.corners * integer_bytes());
+    content_.reserve_entries(section, count);
     for (std::uint64_t i = 0; i < count; ++i) {
       content_.add_entry(
           section, [this](std::string_view what, std::size_t of) { return number(what, of); },

@@ -83,9 +83,15 @@ NastranField tabbed_field(const char* first, const char* last, std::size_t width
 
 void add_columns(const char* first, const char* last, std::size_t most, std::size_t width,
                  std::vector<NastranField>& fields) {
+  const bool has_tabs = std::find(first, last, '\t') != last;
   std::size_t column = 0;
   const char* p = first;
   const auto go_to = [&](std::size_t wanted) {
+    if (!has_tabs) {
+      const std::size_t step = std::min(wanted - column, static_cast<std::size_t>(last - p));
+      column += step;
+      p += step;
+    }
     for (; p != last && column < wanted; ++p) {
       column = *p == '\t' ? (column / kColumn + 1) * kColumn : column + 1;
     }
@@ -189,11 +195,14 @@ const char* next_line(const char* p, const char* end) {
 
 /// The next line with something on it, without its comment.
 bool NastranCards::peek(Line& line) {
-  for (; p_ != end_; p_ = next_line(end_of_line(p_, end_), end_)) {
-    line = {p_, std::find(p_, end_of_line(p_, end_), '$')};
-    if (!std::all_of(line.first, line.last, is_blank)) return true;
+  while (line_.first != p_ || p_ == nullptr) {
+    if (p_ == end_) return false;
+    const char* const stop = end_of_line(p_, end_);
+    line_ = {p_, std::find(p_, stop, '$'), next_line(stop, end_)};
+    if (std::all_of(line_.first, line_.last, is_blank)) p_ = line_.next;
   }
-  return false;
+  line = line_;
+  return true;
 }
 
 bool NastranCards::next(NastranCard& card) {
@@ -203,7 +212,7 @@ bool NastranCards::next(NastranCard& card) {
   while (peek(line)) {
     const bool continues = is_continuation(line.first, line.last);
     if (begun && !continues) return true;
-    p_ = next_line(end_of_line(p_, end_), end_);
+    p_ = line.next;
     if (!begun && continues) continue;  // of nothing
     const std::string_view word = first_word(line.first, line.last);
     const bool starred = *line.first == '*' || (word.data() + word.size() != line.last &&
@@ -293,7 +302,9 @@ std::string nastran_real(double value, std::size_t characters) {
   if (size < kLargest && size > kSmallest) {
     consider(longest_fit(value, characters, fixed_text));
   }
-  if (least > 0.0 || best.size() > characters) {
+  // From a thousandth on, fixed digits are as exact, if they fit.
+  constexpr double kSmall = 1e-3;
+  if (best.empty() || (least > 0.0 && size < kSmall)) {
     consider(longest_fit(value, characters, scientific_text));
   }
   return best.empty() ? "0." : best;

@@ -48,13 +48,15 @@ class NastranCards {
 
  private:
   struct Line {
-    const char* first;
-    const char* last;
+    const char* first = nullptr;
+    const char* last = nullptr;  // of what is no comment
+    const char* next = nullptr;
   };
   bool peek(Line& line);
 
   const char* p_;
   const char* end_;
+  Line line_ = {};  // that at p_, once it was found
 };
 
 /// Where the bulk data of a file begin: behind BEGIN BULK, or at the start where there is none.

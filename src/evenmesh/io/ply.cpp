@@ -153,6 +153,8 @@ class Reader {
       if (&element == vertex_) {
         points_.reserve(element.count);
         places_.reserve(element.count);
+      } else if (element.name == "face") {
+        faces_.reserve(element.count);
       }
       if (element.properties.empty()) continue;
       for (std::uint64_t i = 0; i < element.count; ++i) read_one(source, element, i);

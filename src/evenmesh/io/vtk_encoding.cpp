@@ -229,7 +229,7 @@ VtkBytes decode(const InputFile& input, std::uint64_t begin, std::uint64_t end,
   Cursor cursor(input, begin, end, encoding);
   if (encoding.compressed) {
     std::string bytes = unpack(cursor, most);
-    return {std::move(bytes), cursor.length()};
+    return {.decoded = std::move(bytes), .length = cursor.length()};
   }
   Cursor header(input, begin, end, encoding);
   const std::size_t header_bytes = encoding.header_bytes;
@@ -237,10 +237,15 @@ VtkBytes decode(const InputFile& input, std::uint64_t begin, std::uint64_t end,
   if (size > most || size > cursor.text().size()) cursor.fail("is cut off");
   if (cursor.has_size_apart()) {
     std::string bytes = header.take(size);
-    return {std::move(bytes), header.length()};
+    return {.decoded = std::move(bytes), .length = header.length()};
   }
-  std::string bytes = cursor.take(header_bytes + size).substr(header_bytes);
-  return {std::move(bytes), cursor.length()};
+  if (!encoding.base64) {
+    if (size > cursor.text().size() - header_bytes) cursor.fail("is cut off");
+    return {.raw = cursor.text().substr(header_bytes, size), .length = header_bytes + size};
+  }
+  std::string bytes = cursor.take(header_bytes + size);
+  bytes.erase(0, header_bytes);
+  return {.decoded = std::move(bytes), .length = cursor.length()};
 }
 
 std::string encode(std::string_view bytes, const InputFile& input, std::uint64_t begin,

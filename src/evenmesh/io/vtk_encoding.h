@@ -20,8 +20,11 @@ struct VtkEncoding {
 
 /// An array taken out of a file.
 struct VtkBytes {
-  std::string bytes;
-  std::size_t length = 0;  // of what it was taken from
+  std::string_view raw = {};  // in the file, if they stand there as they are
+  std::string decoded = {};   // else
+  std::size_t length = 0;     // of what it was taken from
+
+  std::string_view bytes() const { return decoded.empty() ? raw : std::string_view(decoded); }
 };
 
 /// The array at a place of the file; what is behind it does not matter.

@@ -131,9 +131,9 @@ struct Source {
   void for_each(const Array& array, const Take& take) const {
     if (!array.type) fail(array, "holds no numbers");
     if (array.place != Array::Place::text) {
-      const std::string all = bytes(array).bytes;
-      if (all.size() % size_of(*array.type) != 0) fail(array, "ends within a number");
-      for_each_number(all, *array.type, inline_encoding.swap, take);
+      const VtkBytes all = bytes(array);
+      if (all.bytes().size() % size_of(*array.type) != 0) fail(array, "ends within a number");
+      for_each_number(all.bytes(), *array.type, inline_encoding.swap, take);
       return;
     }
     TextScanner scanner(*input);
@@ -338,6 +338,7 @@ class Reader {
       in_piece = count(piece, "NumberOfCells");
       VtkCells cells = read_lists(piece, Section::cells, in_piece);
       if (in_piece > 0) {
+        cells.types.reserve(std::min<std::size_t>(in_piece, input_->bytes().size()));
         source_.for_each(array(piece, Section::cells, "types"), [&](auto value) {
           cells.types.push_back(static_cast<std::uint8_t>(value));
         });
@@ -409,13 +410,13 @@ class Reader {
   void read_encoded_points(const Array& found) {
     const VtkBytes taken = source_.bytes(found);
     const std::size_t each = 3 * code_.bytes_each();
-    const std::size_t count = taken.bytes.size() / each;
-    if (taken.bytes.size() % each != 0) source_.fail(found, "ends within a point");
+    const std::size_t count = taken.bytes().size() / each;
+    if (taken.bytes().size() % each != 0) source_.fail(found, "ends within a point");
     const std::uint64_t begin = source_.begin(found);
     encoded_.push_back({begin, begin + taken.length, content_.points(), count});
     content_.reserve_points(content_.points() + count);
     for (std::size_t i = 0; i < count; ++i) {
-      if (content_.add_point(code_.position_at(taken.bytes.data() + i * each))) continue;
+      if (content_.add_point(code_.position_at(taken.bytes().data() + i * each))) continue;
       source_.fail(found, fmt::format("has a coordinate of point {} that is no finite number; "
                                       "repair the file or write it again",
                                       content_.points() - 1));
@@ -437,6 +438,10 @@ class Reader {
     VtkCells cells;
     if (count == 0) return cells;
     const Array& points = array(piece, section, "connectivity");
+    // What is promised is believed only as far as the file could hold it.
+    const std::size_t expected = std::min<std::size_t>(count, input_->bytes().size() / 4);
+    cells.points.reserve(3 * expected);
+    cells.ends.reserve(expected);
     source_.for_each(points, [&](auto value) {
       if (!(value >= 0 && static_cast<double>(value) < std::numeric_limits<Index>::max())) {
         source_.fail(points, fmt::format("names point {}", value));
