@@ -10,6 +10,7 @@ Builds nothing: `./run bench` does both. Groups, in the order they run:
   solver   whole solves: iterations, CPU time, memory, threads, vertex order
   peers    the same problem given to NLopt and Ipopt, where they were built
   file     the command line program on a file of a million vertices
+  io       reading and patching such files in every format, beside meshio, Gmsh and VTK
   kernels  single functions, with Google Benchmark
 
 and, only when asked for with --only:
@@ -27,12 +28,13 @@ import os
 import pathlib
 import platform
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-GROUPS = ("solver", "peers", "file", "kernels")
+GROUPS = ("solver", "peers", "file", "io", "kernels")
 GROUPS_ON_DEMAND = ("limits",)
 SIZES = (10_000, 100_000, 1_000_000)
 LARGEST = SIZES[-1]
@@ -240,6 +242,73 @@ def measure_file(build, size):
     return results
 
 
+# Suffix, what it is, whether it is text.
+IO_FORMATS = (
+    ("obj", "OBJ", True),
+    ("msh", "MSH 4.1, text", True),
+    ("inp", "Abaqus deck", True),
+    ("bdf", "Nastran deck, 16 columns", True),
+    ("mesh", "MEDIT, text", True),
+    ("mshb", "MSH 4.1, binary", False),
+    ("meshb", "MEDIT, binary", False),
+    ("vtk", "VTK legacy, binary", False),
+    ("vtu", "VTU, raw", False),
+    ("ply", "PLY, binary", False),
+    ("stl", "STL, binary", False),
+)
+# How others read such a file, in Python: suffixes, import, statement.
+IO_PEERS = {
+    "meshio": (("obj", "msh", "inp", "bdf", "mesh", "vtk", "vtu", "ply", "stl"),
+               "import meshio", "meshio.read(path)"),
+    "Gmsh": (("msh", "mshb"), "import gmsh; gmsh.initialize(['', '-v', '1'])", "gmsh.open(path)"),
+    "VTK": (("obj", "vtk", "vtu", "ply", "stl"), "import vtkmodules.all as vtk",
+            "reader = {'.obj': vtk.vtkOBJReader, '.vtk': vtk.vtkUnstructuredGridReader, "
+            "'.vtu': vtk.vtkXMLUnstructuredGridReader, '.ply': vtk.vtkPLYReader, "
+            "'.stl': vtk.vtkSTLReader}[path[path.rindex('.'):]](); "
+            "reader.SetFileName(path); reader.Update()"),
+}
+
+
+def measure_io_peers(path, suffix):
+    """CPU seconds in which others read the file; nothing of those that are not installed or fail."""
+    seconds = {}
+    for name, (suffixes, load, read) in IO_PEERS.items():
+        if suffix not in suffixes:
+            continue
+        script = (f"import sys, time; path = sys.argv[1]; {load}\n"
+                  f"before = time.process_time()\n{read}\n"
+                  "print('SECONDS', time.process_time() - before)")
+        done = subprocess.run([sys.executable, "-c", script, str(path)], capture_output=True,
+                              text=True, check=False)
+        found = re.search(r"^SECONDS (.*)$", done.stdout, re.MULTILINE)
+        if done.returncode == 0 and found:
+            seconds[name] = float(found[1])
+    return seconds
+
+
+def measure_io(build, size):
+    """Reads, patches and reads again; io_bench sees that it is the same mesh."""
+    results = []
+    with tempfile.TemporaryDirectory() as folder:
+        for suffix, name, is_text in IO_FORMATS:
+            narrate(f"reading and patching {name}, {size_name(size)} vertices")
+            path, output = (pathlib.Path(folder) / f"{stem}.{suffix}" for stem in ("in", "out"))
+            subprocess.run([build / "write_case", "triangles", str(size), path], check=True)
+            runs = [run_json(build / "io_bench", path, output) for _ in range(REPEATS)]
+            result = {key: statistics.median(run[key] for run in runs) for key in runs[0]}
+            result.update(format=name, suffix=suffix, is_text=is_text, size=size,
+                          others=measure_io_peers(path, suffix))
+            megabytes = result["file_bytes"] / 1e6
+            for step in ("read", "write", "copy"):
+                result[f"{step}_mb_per_second"] = megabytes / max(result[f"{step}_seconds"], 1e-9)
+            result["bytes_per_vertex"] = (
+                result["peak_memory_bytes"] - result["file_bytes"]) / result["vertices"]
+            results.append(result)
+            path.unlink()
+            output.unlink()
+    return results
+
+
 def measure_kernels(build, quick):
     results = []
     for program in sorted(build.glob("*_bench")):
@@ -368,12 +437,27 @@ def judge_file(goals, files):
               "not measured" if shuffled is None else f"{shuffled:.2f}x")
 
 
+def judge_io(goals, results):
+    measured = {r["suffix"]: r for r in results if r["size"] == LARGEST}
+    for suffix in ("msh", "inp"):
+        speed = measured[suffix]["read_mb_per_second"] if measured else None
+        goals.at_least("io", f"reading {dict((s, n) for s, n, _ in IO_FORMATS)[suffix]}", 150,
+                       speed, "{:.0f}", " MB/s")
+    slowest = min((r["copy_seconds"] / r["read_seconds"] for r in measured.values()
+                   if not r["is_text"]), default=None)
+    goals.at_least("io", "reading binary files, slowest, copy = 1", 0.25, slowest, "{:.2f}", "")
+    most = max((r["bytes_per_vertex"] for r in measured.values()), default=None)
+    goals.at_most("io", "memory beyond the size of the file, most", 400, most, "{:.0f}",
+                  " bytes/vertex")
+
+
 def judge(results):
     goals = Goals()
     judge_solver(goals, results.get("solver", []))
     judge_peers(goals, results.get("peers", []))
     judge_million(goals, results.get("solver", []))
     judge_file(goals, results.get("file", []))
+    judge_io(goals, results.get("io", []))
     return goals.rows
 
 
@@ -456,6 +540,18 @@ def print_files(files):
         print(f"\nThe program, file to file: {absent['reason']}")
 
 
+def print_io(results):
+    rows = [[r["format"], f"{r['file_bytes'] / 1e6:.0f}", f"{r['read_seconds']:.2f}",
+             f"{r['read_mb_per_second']:.0f}", f"{r['write_mb_per_second']:.0f}",
+             f"{r['copy_mb_per_second']:.0f}", f"{r['bytes_per_vertex']:.0f}",
+             ", ".join(f"{name} {seconds / r['read_seconds']:.1f}x"
+                       for name, seconds in r["others"].items()) or "-"] for r in results]
+    if rows:
+        print_table(f"Reading and patching, {size_name(results[0]['size'])} vertices, all moved",
+                    ["format", "MB", "read CPU s", "read MB/s", "patch MB/s", "copy MB/s",
+                     "bytes/vertex beyond the file", "CPU time of others to read it"], rows)
+
+
 def print_kernels(kernels):
     rows = []
     for kernel in kernels:
@@ -485,7 +581,7 @@ def print_setting(results):
 def print_all(results):
     print_setting(results)
     for key, show in (("solver", print_solver), ("peers", print_peers), ("limits", print_limits),
-                      ("file", print_files), ("kernels", print_kernels)):
+                      ("file", print_files), ("io", print_io), ("kernels", print_kernels)):
         if results.get(key):
             show(results[key])
     print_goals(results["goals"])
@@ -528,6 +624,8 @@ def measure(build, groups, quick):
         results["limits"] = measure_limits(build, quick)
     if "file" in groups:
         results["file"] = measure_file(build, sizes[-1])
+    if "io" in groups:
+        results["io"] = measure_io(build, sizes[-1])
     if "kernels" in groups:
         results["kernels"] = measure_kernels(build, quick)
     return results
