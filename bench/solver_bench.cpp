@@ -102,7 +102,8 @@ Run run_once(const Mesh& original, int threads, const Demand& demand) {
   Problem problem;
   run.orientation = cpu_of([&] { orientation = find_orientation(mesh); });
   run.topology = cpu_of([&] { fixed = boundary_of(mesh, orientation); });
-  run.problem = cpu_of([&] { problem = make_problem(mesh, std::move(orientation), fixed); });
+  run.problem = cpu_of(
+      [&] { problem = make_problem(mesh, std::move(orientation), fixed, case_options(mesh)); });
   smooth_and_watch(mesh, problem, threads, run);
   return run;
 }

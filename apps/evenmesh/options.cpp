@@ -61,8 +61,8 @@ void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
   app.add_option("-o,--output", smooth.output, "the file to write");
   app.add_flag("--in-place", smooth.in_place, "replace the input file");
   app.add_option("--cost", smooth.costs,
-                 "what to minimise: local, global, barycenter with weights, as in "
-                 "local=0.3,barycenter=0.3 (default: local for triangles, that for the others)")
+                 "what to minimise: local, global, barycenter, shape with weights, as in "
+                 "local=0.3,barycenter=0.3 (default: shape)")
       ->check([](const std::string& text) {
         return text.empty() ? "no cost given; leave the option out for the default" : "";
       });

@@ -57,10 +57,19 @@ std::vector<char> boundary_of(const Mesh& mesh, const Orientation& orientation) 
   return find_topology(mesh, orientation).boundary;
 }
 
+ProblemOptions case_options(const Mesh& mesh) {
+  ProblemOptions options;
+  options.costs = {{"local", 1.0}};
+  if (mesh.cells().kind(0) == CellKind::quad) {
+    options.costs = {{"local", 0.3}, {"barycenter", 0.3}};
+  }
+  return options;
+}
+
 Problem make_case_problem(const Mesh& mesh) {
   Orientation orientation = find_orientation(mesh);
   const std::vector<char> fixed = boundary_of(mesh, orientation);
-  return make_problem(mesh, std::move(orientation), fixed);
+  return make_problem(mesh, std::move(orientation), fixed, case_options(mesh));
 }
 
 std::string_view valid_case(std::string_view name) {
@@ -75,9 +84,7 @@ double mean_area(const Mesh& triangles) {
 Problem make_limited_problem(const Mesh& mesh, const Limits& limits) {
   Orientation orientation = find_orientation(mesh);
   const std::vector<char> boundary = boundary_of(mesh, orientation);
-  ProblemOptions options;
-  options.costs = {{"local", 1.0}};
-  Problem problem = make_problem(mesh, std::move(orientation), boundary, options);
+  Problem problem = make_problem(mesh, std::move(orientation), boundary, case_options(mesh));
   problem.validity.demanded = limits.least_area > 0.0;
   problem.validity.min_size = limits.least_area;
   if (!limits.slide) return problem;

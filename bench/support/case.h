@@ -30,6 +30,8 @@ std::vector<char> boundary_of(const Mesh& mesh, const Orientation& orientation);
 
 /// The default costs: `local` for triangles, .3 local + .3 barycenter for quads; boundary fixed.
 Problem make_case_problem(const Mesh& mesh);
+/// The costs of a case: local for triangles, .3 local + .3 barycenter for quads.
+ProblemOptions case_options(const Mesh& mesh);
 
 /// The case that a tangled one was before noise was added; itself if it is not tangled.
 std::string_view valid_case(std::string_view name);

@@ -63,7 +63,7 @@ TEST_F(ConstraintOptions, AreShownByADryRun) {
        "# symmetry           eliminated            5 vertices --symmetry x=0\n",
        "# max_move           inequality           25 vertices --max-move 0.2h\n",
        "# validity           inequality           16 cells    default", "\nsymmetry = [\"x=0\"]\n",
-       "\nmax-move = \"0.2h\"\n", "\nfix = \"auto\"\n", "cost = \"local=0.3,barycenter=0.3\"\n"});
+       "\nmax-move = \"0.2h\"\n", "\nfix = \"auto\"\n", "cost = \"shape=1\"\n"});
   EXPECT_NE(outcome.err.find("of 25 vertices 4 are fixed, 12 slide, 9 are free"), std::string::npos)
       << outcome.err;
   EXPECT_NE(outcome.err.find("dry run: nothing was written"), std::string::npos) << outcome.err;

@@ -211,7 +211,8 @@ TEST_F(Files, ThereBeforeAreReplacedOnSuccess) {
 TEST_F(Files, ThereBeforeStayWhenTheMeshCannotBeImproved) {
   folder_.write("in.obj", testing::kCannotImprove);
   folder_.write("out.obj", "old");
-  const Outcome outcome = run({at("in.obj"), "-o", out(), "--json", at("report.json")});
+  const Outcome outcome =
+      run({at("in.obj"), "-o", out(), "--cost", "local", "--json", at("report.json")});
   EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
   EXPECT_NE(outcome.err.find("refused: " + at("in.obj")), std::string::npos) << outcome.err;
   EXPECT_EQ(bytes("out.obj"), "old");
@@ -224,13 +225,14 @@ TEST_F(Files, ThereBeforeStayWhenTheMeshCannotBeImproved) {
 
 TEST_F(Files, InPlaceStaysWhenTheMeshCannotBeImproved) {
   folder_.write("in.obj", testing::kCannotImprove);
-  EXPECT_EQ(run({at("in.obj"), "--in-place", "-q"}).exit_code, 5);
+  EXPECT_EQ(run({at("in.obj"), "--in-place", "-q", "--cost", "local"}).exit_code, 5);
   EXPECT_EQ(bytes("in.obj"), testing::kCannotImprove);
 }
 
 TEST_F(Files, AllowWorseWritesWhatIsRefusedOtherwise) {
   folder_.write("in.obj", testing::kCannotImprove);
-  EXPECT_EQ(run({at("in.obj"), "-o", out(), "-q", "--allow-worse"}).exit_code, 0);
+  EXPECT_EQ(run({at("in.obj"), "-o", out(), "-q", "--cost", "local", "--allow-worse"}).exit_code,
+            0);
   EXPECT_NE(bytes("out.obj"), testing::kCannotImprove);
 }
 

@@ -11,7 +11,7 @@
 
 namespace evenmesh::testing {
 
-/// Triangles of a square whose middle vertex lies such that every step of the default cost makes
+/// Triangles of a square whose middle vertex lies such that every step of the cost local makes
 /// some worst value worse.
 inline constexpr const char* kCannotImprove =
     "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 0 1 0\nv 0.5 0.6 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";

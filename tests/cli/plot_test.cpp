@@ -76,7 +76,7 @@ TEST_F(Plots, ReplaceThoseOfAnEarlierRunAndLeaveOtherFiles) {
 }
 
 TEST_F(Plots, OfARefusedRunShowWhatThereIs) {
-  const Outcome outcome = smooth({"--plot", "pictures"}, "good.obj");
+  const Outcome outcome = smooth({"--plot", "pictures", "--cost", "local"}, "good.obj");
   EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
   EXPECT_FALSE(exists("out.obj"));
   expect_pictures("pictures");

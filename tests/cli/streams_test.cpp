@@ -61,7 +61,7 @@ TEST_F(Streams, QuietSaysNothingOnSuccess) {
 
 TEST_F(Streams, QuietStillSaysWhatWentWrong) {
   folder_.write("in.obj", testing::kCannotImprove);
-  const Outcome outcome = smooth({"-q"});
+  const Outcome outcome = smooth({"-q", "--cost", "local"});
   EXPECT_EQ(outcome.exit_code, 5);
   EXPECT_TRUE(outcome.err.starts_with("refused: " + in_)) << outcome.err;
 }

@@ -158,7 +158,8 @@ TEST_F(Usage, BadSelectorsListTheKnownWords) {
     expect_bad_option("--fix", "", word);
   }
   expect_bad_option("--fix", "id:99", "99");
-  expect_bad_option("--fix", "none", "fix some (--fix boundary)");
+  expect_failure(kUsage, {"in.obj", "-o", "out.obj", "--cost", "local", "--fix", "none"},
+                 "fix some (--fix boundary)");
 }
 
 TEST_F(Usage, NumbersOutsideTheirRangeAreNamed) {

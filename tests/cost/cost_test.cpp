@@ -4,6 +4,8 @@
 // values that do not change under rigid motion, the right behaviour under scaling, additivity.
 #include "evenmesh/cost/cost.h"
 
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -15,6 +17,8 @@
 #include "evenmesh/cost/barycenter.h"
 #include "evenmesh/cost/global.h"
 #include "evenmesh/cost/local.h"
+#include "evenmesh/cost/shape.h"
+#include "evenmesh/quality/metric.h"
 
 namespace evenmesh {
 namespace {
@@ -58,7 +62,7 @@ std::vector<Sample> samples(double noise) {
 
 std::vector<std::shared_ptr<const Cost>> costs(Scaling scaling) {
   return {std::make_shared<Local>(scaling), std::make_shared<Global>(0.8, scaling),
-          std::make_shared<Barycenter>(scaling)};
+          std::make_shared<Barycenter>(scaling), std::make_shared<Shape>()};
 }
 
 double value(const Cost& cost, const Sample& sample, Points x) {
@@ -149,7 +153,8 @@ TEST_P(EveryCost, ScalesWithTheSquareOfLengthOrNotAtAll) {
     const double after = cost().name() == "global"
                              ? Global(s * 0.8, scaling).evaluate(sample.block(), scaled, 1.0, {})
                              : value(cost(), sample, scaled);
-    EXPECT_NEAR(after, scale_free() ? before : s * s * before, 1e-12 * (1 + after));
+    const bool is_pure = scale_free() || cost().name() == "shape";
+    EXPECT_NEAR(after, is_pure ? before : s * s * before, 1e-12 * (1 + after));
   }
 }
 
@@ -199,8 +204,75 @@ std::string variant_name(const testing::TestParamInfo<EveryCost::ParamType>& var
 
 INSTANTIATE_TEST_SUITE_P(All, EveryCost,
                          testing::Combine(testing::Values(Scaling::absolute, Scaling::scale_free),
-                                          testing::Values(0, 1, 2)),
+                                          testing::Values(0, 1, 2, 3)),
                          variant_name);
+
+double inverse_of(double t) { return 2.0 / (t + std::sqrt(t * t + 0.0025)); }
+
+TEST(Shape, IsTheInverseOfTheMetricWhereAllCornersAreAlike) {
+  for (const CellKind kind : {CellKind::triangle, CellKind::tet}) {
+    const Sample sample = disturbed(kind, traits(kind).vertices, 0.3);
+    std::vector<Vec3> corners;
+    for (const Index v : sample.cell) corners.push_back(sample.points[v]);
+    const double metric = measure(Metric::shape, kind, corners, Vec3::Zero(), 1.0);
+    const double t = std::pow(metric, 0.5 * traits(kind).dimension);
+    EXPECT_NEAR(value(Shape(), sample, sample.points), inverse_of(t) - inverse_of(1.0), 1e-13);
+  }
+}
+
+TEST(Shape, IsZeroForIdealCellsOfAnySize) {
+  for (Sample sample : samples(0.0)) {
+    for (Vec3& p : sample.points) p *= 1e-7;
+    EXPECT_NEAR(value(Shape(), sample, sample.points), 0.0, 1e-14) << traits(sample.kind).name;
+  }
+}
+
+TEST(Shape, FallsSteadilyFromTheMirrorImageToTheIdealCell) {
+  const std::vector<Index> cell{0, 1, 2};
+  const std::vector<std::uint32_t> numbers{0};
+  Orientation orientation;
+  orientation.type = MeshType::planar;
+  orientation.normal = Vec3::UnitZ();
+  const CellBlock block{CellKind::triangle, 3, cell, numbers, &orientation};
+  double before = std::numeric_limits<double>::infinity();
+  for (double y = -0.86; y < 0.86; y += 0.02) {
+    std::vector<Vec3> x{{0, 0, 0}, {1, 0, 0}, {0.5, y, 0}};
+    std::vector<Vec3> gradient(3, Vec3::Zero());
+    const double f = Shape().evaluate(block, x, 1.0, gradient);
+    EXPECT_LT(f, before) << y;
+    before = f;
+    const double h = 1e-6;
+    x[2].y() += h;
+    const double after = Shape().evaluate(block, x, 1.0, {});
+    x[2].y() -= 2.0 * h;
+    const double slope = (after - Shape().evaluate(block, x, 1.0, {})) / (2.0 * h);
+    EXPECT_NEAR(gradient[2].y(), slope, 1e-6 * std::abs(slope)) << y;
+  }
+}
+
+TEST(Shape, KnowsHowCellsAreWound) {
+  Sample hex = disturbed(CellKind::hex, 8, 0.1);
+  const double right = value(Shape(), hex, hex.points);
+  for (Vec3& p : hex.points) p.x() = -p.x();
+  EXPECT_GT(value(Shape(), hex, hex.points), 100.0);
+  Orientation orientation;
+  orientation.type = MeshType::volume;
+  orientation.signs = {-1};
+  const std::vector<std::uint32_t> numbers{0};
+  CellBlock block = hex.block();
+  block.numbers = numbers;
+  block.orientation = &orientation;
+  EXPECT_NEAR(Shape().evaluate(block, hex.points, 1.0, {}), right, 1e-13);
+  // The skin of a volume is not smoothed for its own sake.
+  const Sample quad = disturbed(CellKind::quad, 4, 0.2);
+  block = quad.block();
+  block.numbers = numbers;
+  block.orientation = &orientation;
+  std::vector<Spring> springs;
+  Shape().add_springs(block, quad.points, springs);
+  EXPECT_TRUE(springs.empty());
+  EXPECT_EQ(Shape().evaluate(block, quad.points, 1.0, {}), 0.0);
+}
 
 TEST(Local, MatchesAHandComputedValue) {
   // A 3-4-5 triangle: mean 4, f = 1 + 0 + 1.

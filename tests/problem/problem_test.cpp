@@ -34,28 +34,45 @@ std::string message_of(const Mesh& mesh, const std::vector<Index>& fixed,
   return "";
 }
 
-std::string default_terms(const Mesh& mesh) {
+std::string words_of(const std::vector<Term>& terms) {
   std::string result;
-  for (const Term& term : make(mesh, {0, 1}, {}).terms) {
+  for (const Term& term : terms) {
     result += std::string(term.cost->name()) + "=" + std::to_string(term.weight).substr(0, 3) + " ";
   }
   return result;
 }
 
-TEST(DefaultCosts, AreLocalWhereEdgeLengthsDetermineACell) {
-  EXPECT_EQ(default_terms(shapes::triangle_grid(2)), "local=1.0 ");
-  EXPECT_EQ(default_terms(shapes::tet_grid(1)), "local=1.0 ");
-  EXPECT_EQ(default_terms(shapes::sphere_triangles(1)), "local=1.0 ");
+std::string untangling_words(const Mesh& mesh) {
+  return words_of(untangling_terms(mesh, make(mesh, {0, 1}, {})));
 }
 
-TEST(DefaultCosts, AddBarycenterWhereTheyDoNot) {
+TEST(DefaultCosts, AreShape) {
+  EXPECT_EQ(words_of(make(shapes::triangle_grid(2), {0, 1}, {}).terms), "shape=1.0 ");
+  EXPECT_EQ(words_of(make(shapes::hex_grid(1), {0, 1}, {}).terms), "shape=1.0 ");
+}
+
+TEST(UntanglingTerms, AreLocalWhereEdgeLengthsDetermineACell) {
+  EXPECT_EQ(untangling_words(shapes::triangle_grid(2)), "local=1.0 ");
+  EXPECT_EQ(untangling_words(shapes::tet_grid(1)), "local=1.0 ");
+  EXPECT_EQ(untangling_words(shapes::sphere_triangles(1)), "local=1.0 ");
+}
+
+TEST(UntanglingTerms, AddBarycenterWhereTheyDoNot) {
   const std::string both = "local=0.3 barycenter=0.3 ";
-  EXPECT_EQ(default_terms(shapes::quad_grid(2)), both);
-  EXPECT_EQ(default_terms(shapes::hexagons(3)), both);
-  EXPECT_EQ(default_terms(shapes::mixed_surface(3)), both);
-  EXPECT_EQ(default_terms(shapes::hex_grid(1)), both);
-  EXPECT_EQ(default_terms(shapes::wedge_grid(1)), both);
-  EXPECT_EQ(default_terms(shapes::pyramid_grid(1)), both);
+  EXPECT_EQ(untangling_words(shapes::quad_grid(2)), both);
+  EXPECT_EQ(untangling_words(shapes::hexagons(3)), both);
+  EXPECT_EQ(untangling_words(shapes::mixed_surface(3)), both);
+  EXPECT_EQ(untangling_words(shapes::hex_grid(1)), both);
+  EXPECT_EQ(untangling_words(shapes::wedge_grid(1)), both);
+  EXPECT_EQ(untangling_words(shapes::pyramid_grid(1)), both);
+}
+
+TEST(UntanglingTerms, CannotCollapseWhereNothingIsFixed) {
+  const Mesh mesh = shapes::triangle_grid(2);
+  const Problem held = make(mesh, {0, 1}, {});
+  EXPECT_TRUE(untangling_terms(mesh, held)[0].cost->can_collapse());
+  const Problem loose = make(mesh, {}, {});
+  EXPECT_FALSE(untangling_terms(mesh, loose)[0].cost->can_collapse());
 }
 
 TEST(MakeProblem, KeepsTheChosenCostsAndWeights) {
@@ -146,8 +163,9 @@ TEST(Collapse, IsRefusedWithTheRemedy) {
 
 TEST(Collapse, IsRefusedWithOneFixedVertex) {
   EXPECT_NE(message_of(shapes::triangle_grid(3), {5}, costs({{"local", 1.0}})), "");
-  EXPECT_NE(message_of(shapes::quad_grid(3), {5}, {}), "");
-  EXPECT_NE(message_of(shapes::tet_grid(2), {5}, {}), "");
+  EXPECT_NE(message_of(shapes::quad_grid(3), {5}, costs({{"barycenter", 1.0}})), "");
+  EXPECT_NE(message_of(shapes::tet_grid(2), {5}, costs({{"local", 1.0}})), "");
+  EXPECT_EQ(message_of(shapes::tet_grid(2), {5}, {}), "");  // shape knows no lengths
 }
 
 TEST(Collapse, IsRefusedWithTwoFixedVerticesInTheSamePlace) {

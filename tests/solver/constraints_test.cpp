@@ -128,6 +128,37 @@ TEST(Validity, MinimumIsThatOfTheValidStart) {
   EXPECT_LE(farthest(valid.points(), tangled.points()), 1e-4 / 30.0);
 }
 
+TEST(Validity, UntanglingIsPartOfTheRun) {
+  const Mesh start = shapes::irregular_triangles(2000, 0.3, 1, 1.0);
+  const Problem problem = problem_of(start, only("shape"));
+  Options options;
+  std::vector<int> numbers;
+  options.progress = [&](const Iteration& iteration) {
+    numbers.push_back(iteration.number);
+    return true;
+  };
+  Mesh mesh = start;
+  const Report report = smooth(mesh, problem, options);
+  EXPECT_EQ(report.stop, Stop::converged);
+  EXPECT_GT(report.history[0].inverted, 0u);
+  EXPECT_EQ(report.history.back().inverted, 0u);
+  for (std::size_t i = 0; i < report.history.size(); ++i) {
+    EXPECT_EQ(report.history[i].number, static_cast<int>(i));
+  }
+  EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end()));
+  EXPECT_EQ(numbers.back(), report.history.back().number);
+  EXPECT_GT(report.quality_after.of(Metric::shape).mean, 0.98);
+
+  options.max_iterations = 4;
+  mesh = start;
+  EXPECT_EQ(smooth(mesh, problem, options).history.back().number, 4);
+  options.progress = [](const Iteration& iteration) { return iteration.number < 1; };
+  mesh = start;
+  const Report stopped = smooth(mesh, problem, options);
+  EXPECT_EQ(stopped.stop, Stop::interrupted);
+  EXPECT_EQ(stopped.history.back().number, 1);
+}
+
 TEST(Validity, NamesTheCellsThatCannotBeHad) {
   // A square whose boundary is folded over: vertex 1 is dragged across the opposite side.
   Mesh mesh = shapes::triangle_grid(4);

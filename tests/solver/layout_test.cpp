@@ -30,9 +30,9 @@ TEST(Layout, HasEveryCellOnce) {
     std::vector<int> places(mesh.cells().size(), 0);
     Workers workers;
     layout.for_blocks(workers, [&](std::size_t, const Layout::Block& block) {
-      ASSERT_EQ(block.cells.size(), block.numbers.size());
+      ASSERT_EQ(block.cells.size(), block.cells.numbers.size());
       for (std::size_t i = 0; i < block.cells.size(); ++i) {
-        const std::uint32_t number = block.numbers[i];
+        const std::uint32_t number = block.cells.numbers[i];
         ++seen.at(number);
         ++places.at(block.first + i);
         const auto cell = block.cells.cell(i);

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "evenmesh/base/vec3.h"
 #include "evenmesh/mesh/cell_kind.h"
+#include "evenmesh/mesh/orientation.h"
 
 namespace evenmesh {
 
@@ -16,12 +18,19 @@ struct CellBlock {
   CellKind kind = CellKind::triangle;
   int vertices_per_cell = 3;
   std::span<const Index> vertices;
+  std::span<const std::uint32_t> numbers = {};  // the mesh's numbers of these cells
+  const Orientation* orientation = nullptr;     // of the mesh; null: unknown
 
   std::size_t size() const { return vertices.size() / static_cast<std::size_t>(vertices_per_cell); }
   std::span<const Index> cell(std::size_t i) const {
     const auto n = static_cast<std::size_t>(vertices_per_cell);
     return vertices.subspan(i * n, n);
   }
+  /// The direction about which a surface cell is positive; zero: its own normal.
+  Vec3 up(std::size_t i) const { return orientation ? orientation->up(numbers[i]) : Vec3::Zero(); }
+  /// -1 for a volume cell that is wound the other way on purpose, else 1.
+  double sign(std::size_t i) const { return orientation ? orientation->sign(numbers[i]) : 1.0; }
+  bool in_volume() const { return orientation && orientation->type == MeshType::volume; }
 };
 
 /// Two vertices that a cost pulls together: the term (stiffness / 2) |x_a - x_b|^2.
@@ -61,6 +70,9 @@ class Cost {
   /// True if scaling the whole mesh towards a point can bring the cost to 0, so that it needs
   /// other costs or fixed vertices to hold against.
   virtual bool can_collapse() const { return false; }
+
+  /// True if it pulls inverted cells this way and that: they are untangled with other costs first.
+  virtual bool wants_valid_cells() const { return false; }
 };
 
 /// Whether a cost counts lengths as they are or relative to the cell's own size, so that weights

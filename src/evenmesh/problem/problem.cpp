@@ -13,6 +13,7 @@
 #include "evenmesh/cost/barycenter.h"
 #include "evenmesh/cost/global.h"
 #include "evenmesh/cost/local.h"
+#include "evenmesh/cost/shape.h"
 #include "evenmesh/geometry/parity_sets.h"
 #include "evenmesh/mesh/measure.h"
 #include "evenmesh/problem/constraints.h"
@@ -63,9 +64,11 @@ constexpr Registered kCosts[] = {
      [](const Setting& in) -> std::shared_ptr<const Cost> {
        return std::make_shared<Barycenter>(in.options.scaling);
      }},
+    {"shape",
+     [](const Setting&) -> std::shared_ptr<const Cost> { return std::make_shared<Shape>(); }},
 };
 
-std::vector<CostChoice> default_costs(const Mesh& mesh) {
+std::vector<CostChoice> edge_costs(const Mesh& mesh) {
   const auto kinds = mesh.cells().kinds();
   const bool stiff = std::all_of(kinds.begin(), kinds.end(), [](CellKind kind) {
     return kind == CellKind::triangle || kind == CellKind::tet;
@@ -137,10 +140,20 @@ std::vector<std::string> cost_names() {
 void add_costs(const Mesh& mesh, const ProblemOptions& options, Problem& problem) {
   if (problem.motion.moving() > 0) {
     const Setting setting{mesh, problem.orientation, options};
-    const auto choices = options.costs.empty() ? default_costs(mesh) : options.costs;
+    const auto choices =
+        options.costs.empty() ? std::vector<CostChoice>{{"shape", 1.0}} : options.costs;
     for (const CostChoice& choice : choices) problem.terms.push_back(make_term(choice, setting));
   }
   check_for_collapse(mesh, problem);
+}
+
+std::vector<Term> untangling_terms(const Mesh& mesh, const Problem& problem) {
+  ProblemOptions options;
+  if (find_loose_vertex(mesh, problem)) options.scaling = Scaling::scale_free;
+  const Setting setting{mesh, problem.orientation, options};
+  std::vector<Term> terms;
+  for (const CostChoice& choice : edge_costs(mesh)) terms.push_back(make_term(choice, setting));
+  return terms;
 }
 
 Problem make_problem(const Mesh& mesh, Orientation orientation, std::span<const char> fixed,

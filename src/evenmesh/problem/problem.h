@@ -53,8 +53,7 @@ struct CostChoice {
 };
 
 struct ProblemOptions {
-  /// Costs and weights; empty: local=1 for triangles, and 0.3 barycenter beside 0.3 local as soon
-  /// as there are cells that edge lengths alone let shear (anything but triangles and tets).
+  /// Costs and weights; empty: shape=1.
   std::vector<CostChoice> costs;
   Scaling scaling = Scaling::absolute;
   /// L of the cost global; 0: the mean edge length of the input, or, if cells are inverted there,
@@ -65,6 +64,11 @@ struct ProblemOptions {
 /// Puts the costs into a problem that is otherwise complete: see apply() in constraints.h.
 /// @throws InvalidOption  as make_problem()
 void add_costs(const Mesh& mesh, const ProblemOptions& options, Problem& problem);
+
+/// Costs that untangle a mesh: of edge lengths, which do not know which way a cell is turned, so
+/// that the demand for valid cells meets no resistance. local=1 for triangles and tets, and 0.3
+/// barycenter beside 0.3 local as soon as there are cells that edge lengths alone let shear.
+std::vector<Term> untangling_terms(const Mesh& mesh, const Problem& problem);
 
 /// The problem for a mesh in which the given vertices stay and nothing else is demanded: the others
 /// move in the plane of a planar mesh, freely in a volume mesh, and on the input's surface, edges

@@ -72,7 +72,7 @@ std::vector<Index> Flips::find(Workers& workers, Points x, Points x_new) const {
   layout_.for_blocks(workers, [&](std::size_t chunk, const Layout::Block& block) {
     const bool surface = traits(block.cells.kind).dimension == 2;
     for (std::size_t i = 0; i < block.cells.size(); ++i) {
-      const std::uint32_t number = block.numbers[i];
+      const std::uint32_t number = block.cells.numbers[i];
       const Cell cell{block.cells.kind, block.cells.cell(i), orientation_.up(number),
                       orientation_.sign(number)};
       if (surface && cell.up.isZero()) continue;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "evenmesh/solver/determinants.h"
+#include "evenmesh/mesh/determinants.h"
 
 namespace evenmesh {
 namespace {
@@ -45,7 +45,7 @@ void Lagrangian::for_rows(const Layout::Block& block, Points x, const Body& body
   for (std::size_t i = 0; i < block.cells.size(); ++i) {
     const Demand& demand = demands_[block.first + i];
     if (demand.scale == 0.0f) continue;
-    const std::uint32_t number = block.numbers[i];
+    const std::uint32_t number = block.cells.numbers[i];
     const double scale = demand.scale / size_unit_;
     for_determinants(block.cells.kind, block.cells.cell(i), x, problem_.orientation.up(number),
                      problem_.orientation.sign(number), [&](std::uint32_t k, const auto& corner) {
@@ -131,7 +131,7 @@ void Lagrangian::set_up_cells(Workers& workers) {
     const CellKind kind = block.cells.kind;
     const double ideal = ideal_determinant(kind);
     for (std::size_t i = 0; i < block.cells.size(); ++i) {
-      const std::uint32_t number = block.numbers[i];
+      const std::uint32_t number = block.cells.numbers[i];
       const auto cell = block.cells.cell(i);
       const Vec3 up = problem_.orientation.up(number);
       const double size = sizes_[number];
@@ -468,7 +468,7 @@ std::vector<ActiveCell> Lagrangian::active_cells(Workers& workers, Points x) con
       const double multiplier = mode_ == Mode::multipliers ? lambda_[row] : 0.0;
       const double excess = v < -kMet ? -v : 0.0;
       if (multiplier == 0.0 && excess == 0.0) return;
-      const std::uint32_t number = block.numbers[i];
+      const std::uint32_t number = block.cells.numbers[i];
       const double weighed = weight_unit_ * demands_[block.first + i].weight * multiplier;
       if (part.empty() || part.back().cell != number) part.push_back({number, 0.0, 0.0});
       part.back().multiplier += weighed;

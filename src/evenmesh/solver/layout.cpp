@@ -5,7 +5,8 @@
 #include <numeric>
 
 namespace evenmesh {
-Layout::Layout(const Cells& cells, std::size_t points) {
+Layout::Layout(const Cells& cells, std::size_t points, const Orientation* orientation)
+    : orientation_(orientation) {
   sort_cells(cells, points);
   colour_chunks();
 }
@@ -78,8 +79,8 @@ void Layout::for_blocks(
         const Run& run = runs_[r];
         const auto corners = std::span(corners_).subspan(
             run.first_corner, run.cells * static_cast<std::size_t>(run.vertices_per_cell));
-        body(chunk, {{run.kind, run.vertices_per_cell, corners},
-                     std::span(numbers_).subspan(run.first_cell, run.cells),
+        body(chunk, {{run.kind, run.vertices_per_cell, corners,
+                      std::span(numbers_).subspan(run.first_cell, run.cells), orientation_},
                      run.first_cell});
       }
     });

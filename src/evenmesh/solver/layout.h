@@ -26,13 +26,13 @@ class Layout {
  public:
   static constexpr std::size_t kChunkSize = 2048;
 
-  Layout(const Cells& cells, std::size_t points);
+  /// @param orientation  handed to costs; must outlive the layout; null: none
+  Layout(const Cells& cells, std::size_t points, const Orientation* orientation = nullptr);
 
   /// The cells of a chunk that have the same kind and number of vertices.
   struct Block {
     CellBlock cells;
-    std::span<const std::uint32_t> numbers;  // the mesh's numbers of these cells
-    std::size_t first;                       // place of the first cell among all cells
+    std::size_t first;  // place of the first cell among all cells
   };
 
   std::size_t chunks() const { return chunk_start_.size() - 1; }
@@ -55,6 +55,7 @@ class Layout {
   void sort_cells(const Cells& cells, std::size_t points);
   void colour_chunks();
 
+  const Orientation* orientation_;
   std::vector<Index> corners_;
   std::vector<std::uint32_t> numbers_;
   std::vector<Run> runs_;

@@ -123,7 +123,7 @@ void differentiate_cells(const Objective& objective, const Layout::Block& block,
     bench.lay_out(block.cells.vertices.subspan(i * corners, count * corners), x, unit);
     Layout::Block local = block;
     local.cells.vertices = std::span(own).first(count * corners);
-    local.numbers = block.numbers.subspan(i, count);
+    local.cells.numbers = block.cells.numbers.subspan(i, count);
     local.first = block.first + i;
     bench.differentiate([&](Points at, std::span<Vec3> gradient) {
       std::fill(gradient.begin(), gradient.end(), Vec3::Zero());

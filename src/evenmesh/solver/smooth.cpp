@@ -163,9 +163,18 @@ class Smoothing {
   void run() {
     const bool classic = options_.method != Method::lagrange_newton;
     if (report_.movable == 0 || (problem_.terms.empty() && !classic)) return;
+    Report untangling;
+    Problem from_there;
+    const bool untangles = !classic && wants_valid_cells(problem_) && guard_.before().inverted > 0;
+    if (untangles) {
+      untangling = untangle();
+      from_there = problem_;
+      from_there.motion.start_from(workers_, mesh_.points(), points_);
+    }
+    start_ = points_;
     timer_ = Timer();
     const double cpu_before = cpu_seconds();
-    Objective objective(mesh_, problem_);
+    Objective objective(mesh_, untangles ? from_there : problem_);
     objective.constrain(workers_, mesh_, origin_);
     if (classic) {
       sweep(objective, cpu_before);
@@ -174,19 +183,83 @@ class Smoothing {
     } else {
       minimise(objective, cpu_before);
     }
+    if (untangles) put_before(untangling);
   }
 
   const Report& report() const { return report_; }
   std::vector<Vec3>& points() { return points_; }
 
  private:
+  static bool wants_valid_cells(const Problem& problem) {
+    return std::any_of(problem.terms.begin(), problem.terms.end(),
+                       [](const Term& term) { return term.cost->wants_valid_cells(); });
+  }
+
+  /// Moves points_ until no cell is inverted, with other costs; the options lose what that took.
+  Report untangle() {
+    const Timer timer;
+    const double cpu_before = cpu_seconds();
+    Problem problem = problem_;
+    problem.terms = untangling_terms(mesh_, problem_);
+    Objective objective(mesh_, problem);
+    objective.constrain(workers_, mesh_, origin_);
+    Multigrid preconditioner(workers_, objective.majoriser(workers_, points_),
+                             objective.projectors(problem.motion.start()));
+    Flips flips(objective.layout(), mesh_.points(), problem.orientation);
+    Report report;
+    report.setup_seconds = timer.seconds();
+    report.setup_cpu_seconds = cpu_seconds() - cpu_before;
+
+    Options options = options_;
+    bool go_on = true;
+    options.progress = [&](const Iteration& iteration) {
+      go_on = !options_.progress || options_.progress(iteration);
+      return go_on && iteration.inverted > 0;
+    };
+    descend(workers_, objective, preconditioner, flips, options, points_, report, {});
+    report.solve_seconds = timer.seconds() - report.setup_seconds;
+
+    const int done = report.history.back().number;
+    options_.max_iterations = go_on ? std::max(0, options_.max_iterations - done) : 0;
+    if (options_.time_limit_seconds > 0.0) {
+      options_.time_limit_seconds = std::max(1e-9, options_.time_limit_seconds - timer.seconds());
+    }
+    if (options_.progress) {
+      options_.progress = [done, progress = options_.progress](Iteration iteration) {
+        iteration.number += done;
+        return progress(iteration);
+      };
+    }
+    report.stop = go_on ? Stop::converged : Stop::interrupted;
+    return report;
+  }
+
+  /// Makes one report of those of two stages.
+  void put_before(const Report& first) {
+    const Iteration last = first.history.back();
+    std::vector<Iteration> history = first.history;
+    for (Iteration iteration : report_.history) {
+      if (iteration.number == 0) continue;  // where the first stage ended
+      iteration.number += last.number;
+      iteration.function += last.function + 1;
+      history.push_back(iteration);
+    }
+    report_.history = std::move(history);
+    if (first.stop == Stop::interrupted) report_.stop = first.stop;
+    report_.held += first.held;
+    report_.newton_steps += first.newton_steps;
+    report_.setup_seconds += first.setup_seconds;
+    report_.setup_cpu_seconds += first.setup_cpu_seconds;
+    report_.solve_seconds += first.solve_seconds;
+  }
+
   using Observe = std::function<bool(Points)>;
   /// Moves the vertices from x, in place, and fills in the report's stop and history.
   using Mover = std::function<void(std::vector<Vec3>& x, Report& report, const Observe& observe)>;
 
   void minimise(Objective& objective, double cpu_before) {
     Multigrid preconditioner(workers_, objective.majoriser(workers_, points_),
-                             objective.projectors(problem_.motion.start()));
+                             objective.projectors(objective.problem().motion.start()));
     report_.multigrid_levels = preconditioner.levels();
     note_setup(cpu_before);
 
@@ -293,9 +366,9 @@ class Smoothing {
     again.held = 0;
     again.solver = SolverKind::multigrid;
     again.newton_steps = 0;
-    objective.motion() = problem_.motion;
+    objective.motion() = objective.problem().motion;
     objective.lagrangian()->reset(workers_, mesh_.points());
-    std::vector<Vec3> x(mesh_.points().begin(), mesh_.points().end());
+    std::vector<Vec3> x = start_;
     std::vector<Vec3> best = x;
     double best_mean = guard_.before().of(Metric::shape).mean;
     int best_number = 0;
@@ -333,12 +406,13 @@ class Smoothing {
   const Mesh& mesh_;
   const Points origin_;
   const Problem& problem_;
-  const Options& options_;
+  Options options_;
   Timer timer_;
   Guard guard_;
   std::optional<DeviationLimit> limit_;
   Report report_;
   std::vector<Vec3> points_;
+  std::vector<Vec3> start_;  // of the iterations: the input, or what untangling made of it
 };
 
 // smooth() for a mesh in good order: brings vertices to their targets, then smooths.
