@@ -92,6 +92,9 @@ class Run {
     options_.threads = arguments.threads;
     options_.solver = solver_kind(arguments.solver);
     options_.method = method_of(arguments.method);
+    if (options_.eta > 0.0 && options_.solver != SolverKind::dense) {
+      throw InvalidOption("--eta is where --solver dense stops; give both, or --tolerance");
+    }
     if (is_classic() && options_.solver != SolverKind::automatic) {
       throw InvalidOption(fmt::format(
           "--solver {} is how lagrange_newton finds the minimum; --method {} has no use for it",

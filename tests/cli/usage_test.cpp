@@ -54,6 +54,10 @@ TEST_F(Usage, UnknownOptionsAreNamed) {
   expect_failure(kUsage, {"--bogus"}, "Try: evenmesh --help");
 }
 
+TEST_F(Usage, OptionsOfOneSolverAreNotForAnother) {
+  expect_bad_option("--eta", "1e-3", "--eta is where --solver dense stops");
+}
+
 TEST_F(Usage, UnknownMethodsGetASuggestion) {
   expect_bad_option("--method", "laplacain", "did you mean 'laplacian'?");
   expect_bad_option("--method", "newton", "known are lagrange_newton, laplacian,");
