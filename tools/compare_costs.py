@@ -36,19 +36,22 @@ def run(program, path, folder, cost):
 
 def is_simple(program, path):
     """Whether a mesh has triangles and tets only."""
-    said = subprocess.run([program, "info", path], capture_output=True, text=True, check=False)
+    said = subprocess.run([program, "info", path], capture_output=True, encoding="latin-1",
+                          check=False)
     cells = [line for line in said.stdout.splitlines() if line.startswith("cells ")]
     return bool(cells) and not any(word in cells[0] for word in
                                    ("quad", "polygon", "hex", "wedge", "pyramid"))
 
 
 def compare(program, path, folder):
-    """Reports with shape and with edge lengths, None if one of them is missing."""
+    """Reports with shape and with edge lengths, None if there are not both or nothing moved."""
     shape = run(program, path, folder, "shape=1")
-    if not shape or shape["geometry"]["moved"] == 0 and shape["promise"] == "kept":
+    if not shape:
         return None
     edges = run(program, path, folder, EDGES if is_simple(program, path) else BOTH)
-    return (shape, edges) if edges else None
+    if not edges or shape["geometry"]["moved"] + edges["geometry"]["moved"] == 0:
+        return None
+    return shape, edges
 
 
 def row_of(name, pairs):
