@@ -33,15 +33,17 @@ constexpr std::uintmax_t kLargest = 1'500'000;  // bytes; the larger ones take m
 constexpr std::uintmax_t kLargest = 100'000'000;
 #endif
 
-// Some take a minute for 60, and what happens to a file does not hang on how often vertices move.
-std::string iterations_for([[maybe_unused]] const fs::path& path) {
-#ifdef EVENMESH_SANITIZED
-  return "3";
-#else
+// Some volumes take a minute for 60, and what happens to a file does not hang on how often vertices
+// move.
+std::string iterations_for(const fs::path& path) {
   std::string suffix = path.extension().string();
   std::ranges::transform(suffix, suffix.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix == ".obj" || suffix == ".stl" ? "60" : "10";
+  if (suffix == ".obj" || suffix == ".stl") return "60";
+#ifdef EVENMESH_SANITIZED
+  return "3";
+#else
+  return "10";
 #endif
 }
 

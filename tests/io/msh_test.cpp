@@ -23,7 +23,9 @@ using testing::points_of;
 using testing::refusal_by;
 using testing::written;
 
-MeshFile read(std::string_view text) { return read_msh(InputFile::borrow(text, "a.msh")); }
+MeshFile read(std::string_view text) {
+  return read_as(Format::msh, InputFile::borrow(text, "a.msh"), {});
+}
 
 std::string refusal(std::string_view text) {
   return refusal_by([&] { read(text); });

@@ -159,6 +159,15 @@ TEST(Nastran, CoordinatesBetweenTabsOrBehindCommasFindTheirPlace) {
   EXPECT_EQ(after.substr(0, after.find('\n')), "GRID,1,,.8333333,.25,.125 $ y and z are not there");
 }
 
+TEST(Nastran, RangesOfGridsMayOverlap) {
+  std::string deck;
+  for (const int grid : {1, 2, 5, 7, 8, 9, 12, 20}) deck += "GRID," + std::to_string(grid) + "\n";
+  const MeshFile file = read_text(
+      deck + "SPC1,1,1,5,THRU,9\nSPC1,1,1,2,THRU,7\nSPC1,1,1,12,THRU,12\nSPC1,1,1,13,THRU,19\n",
+      "a.bdf");
+  EXPECT_EQ(file.held.vertices, (Numbers{1, 2, 3, 4, 5, 6}));
+}
+
 TEST(Nastran, MiddlesOfEdgesMayBeLeftOut) {
   const MeshFile file = read_mesh(source_dir() / "fuzz/corpus/nastran/second.bdf");
   EXPECT_EQ(file.followers.size(), 3u);

@@ -47,7 +47,7 @@ struct Both {
     EXPECT_EQ(dense.stop, Stop::converged);
     EXPECT_EQ(dense.unmet, 0u);
     EXPECT_EQ(dense.quality_after.inverted, 0u);
-    EXPECT_NEAR(dense.cost_after, other.cost_after, 1e-6 * other.cost_after + 1e-11);
+    EXPECT_NEAR(dense.cost_after, other.cost_after, 1e-6 * other.cost_after + 1e-12);
   }
   Mesh dense_mesh, mesh;
   Report dense, other;
@@ -99,7 +99,9 @@ TEST(Dense, ComesToTheMinimumOfTrianglesAndQuads) {
   const Mesh triangles = shapes::irregular_triangles(200, 0.3, 2);
   Both(triangles, problem_of(triangles, only("local")));
   const Mesh quads = shapes::quad_grid(10, 1.0, 0.3, 4);
-  const Both both(quads, problem_of(quads));
+  ProblemOptions edges;
+  edges.costs = {{"local", 0.3}, {"barycenter", 0.3}};
+  const Both both(quads, problem_of(quads, edges));
   EXPECT_LE(farthest(both.dense_mesh.points(), both.mesh.points()), 1e-5);
 }
 

@@ -366,8 +366,7 @@ TEST(LagrangeNewton, HockSchittkowski113) {
                 1e-5);
 }
 
-// ---- the method, step by step
-// --------------------------------------------------------------------
+// ---- the method, step by step ----
 
 TEST(LagrangeNewton, TwoStepsMatchAHandComputation) {
   // min x^2/2, x^2 = 1, from x = 2. First W = 1, f' = 2, c = 3, c' = 4: h = -3/4,
@@ -500,8 +499,7 @@ TEST(LagrangeNewton, TrialsWithoutAValueAreStepsThatAreTooLong) {
   EXPECT_NEAR(result.y[0], 0.01, 1e-8);
 }
 
-// ---- stopping
-// ------------------------------------------------------------------------------------
+// ---- stopping ----
 
 TEST(LagrangeNewton, EpsilonIsWhereItStops) {
   auto program = unconstrained<2>(
@@ -596,8 +594,7 @@ TEST(LagrangeNewton, AGradientOfTheWrongSignEndsWithoutDescent) {
   EXPECT_EQ(result.y[0], 1.0);
 }
 
-// ---- constraints that contradict each other
-// --------------------------------------------------------
+// ---- constraints that contradict each other ----
 
 TEST(LagrangeNewton, ConstraintsThatContradictAtTheStartAreMetAtTheEnd) {
   // x^2 >= 1 and x^2 >= y^2 have no slope at the origin, where the first is violated.
@@ -645,8 +642,7 @@ TEST(LagrangeNewton, WhatCannotBeMetIsViolatedLittleAndSaid) {
   EXPECT_LE(result.history.size(), 40u);
 }
 
-// ---- what a program may decide
-// ---------------------------------------------------------------------
+// ---- what a program may decide ----
 
 TEST(LagrangeNewton, StepsAreNoLongerThanAllowed) {
   class Short : public NonlinearProgram {

@@ -32,6 +32,12 @@ inline ProblemOptions only(std::string_view cost) {
   return options;
 }
 
+/// The same problem with costs of edge lengths, whose slopes are small where cells are poor.
+inline Problem with_edge_costs(const Mesh& mesh, Problem problem) {
+  problem.terms = untangling_terms(mesh, problem);
+  return problem;
+}
+
 inline std::vector<Vec3> copy_of(Points points) { return {points.begin(), points.end()}; }
 
 inline Mesh with_points(const Mesh& mesh, std::vector<Vec3> points) {

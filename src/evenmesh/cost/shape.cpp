@@ -15,15 +15,20 @@ namespace {
 constexpr double kDelta = 0.05;
 
 struct Inverse {
-  double value;  // 1 / chi(t)
+  double value;  // 1 / chi(t) - 1 / chi(1)
   double slope;
 };
 
+// 1 / chi(t), without cancellation on either side.
+double inverse_of_chi(double t, double root) {
+  return t > 0.0 ? 2.0 / (t + root) : 2.0 * (root - t) / (kDelta * kDelta);
+}
+
 Inverse inverse(double t) {
+  static const double kIdeal = inverse_of_chi(1.0, std::sqrt(1.0 + kDelta * kDelta));
   const double root = std::sqrt(t * t + kDelta * kDelta);
-  // Without cancellation on either side.
-  const double value = t > 0.0 ? 2.0 / (t + root) : 2.0 * (root - t) / (kDelta * kDelta);
-  return {value, -value / root};
+  const double value = inverse_of_chi(t, root);
+  return {value - kIdeal, -value / root};
 }
 
 // Squares of edges shorter than this would leave the range of doubles.
@@ -147,9 +152,8 @@ double Shape::evaluate(const CellBlock& cells, Points x, double weight,
                        std::span<Vec3> gradient) const {
   const bool is_volume = traits(cells.kind).dimension == 3;
   if (!is_volume && cells.in_volume()) return 0.0;
-  const double sum = is_volume ? evaluate_volume(cells, x, weight, gradient)
-                               : evaluate_surface(cells, x, weight, gradient);
-  return sum - weight * inverse(1.0).value * static_cast<double>(cells.size());
+  return is_volume ? evaluate_volume(cells, x, weight, gradient)
+                   : evaluate_surface(cells, x, weight, gradient);
 }
 
 // 1 / t is |T|^d over the determinant. With the determinant held, it curves like springs along the

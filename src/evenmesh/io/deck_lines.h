@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "evenmesh/io/input_file.h"
+#include "evenmesh/io/text_scan.h"
 
 namespace evenmesh {
 
@@ -52,5 +54,49 @@ std::string in_capitals(std::string_view text);
 
 /// The fields of a data line, without blanks around them.
 std::vector<std::string_view> fields_of(std::string_view line);
+
+/// Reads comma-separated whole numbers of a data line.
+class NumberLine {
+ public:
+  NumberLine(const char* first, const char* last) : p_(first), last_(last) { skip(); }
+
+  bool at_end() const { return p_ == last_; }
+  const char* place() const { return p_; }
+  const char* end() const { return last_; }
+  /// @return  false where there is no whole number, which may be a name
+  bool take(std::int64_t& value) {
+    const char* const stop = scan_whole(p_, last_, value);
+    if (stop == nullptr) return false;
+    p_ = stop;
+    skip_comma();
+    return true;
+  }
+  std::string_view take_word() {
+    const char* const first = p_;
+    while (p_ != last_ && *p_ != ',') ++p_;
+    const char* stop = p_;
+    while (stop != first && is_blank(stop[-1])) --stop;
+    skip_comma();
+    return {first, static_cast<std::size_t>(stop - first)};
+  }
+  /// Whether the last field is followed by a comma, which says that the next line goes on.
+  bool goes_on() const { return comma_last_; }
+
+ private:
+  void skip() {
+    while (p_ != last_ && is_blank(*p_)) ++p_;
+  }
+  void skip_comma() {
+    skip();
+    comma_last_ = p_ != last_ && *p_ == ',';
+    if (comma_last_) ++p_;
+    skip();
+    comma_last_ = comma_last_ && p_ == last_;
+  }
+
+  const char* p_;
+  const char* last_;
+  bool comma_last_ = false;
+};
 
 }  // namespace evenmesh

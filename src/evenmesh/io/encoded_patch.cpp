@@ -47,8 +47,7 @@ void EncodedPatch::write(Points points, const std::function<void(std::string_vie
   const std::size_t each = 3 * code_.bytes_each();
   std::vector<Replacement> replacements;
   for (const EncodedPoints& piece : points_) {
-    const VtkBytes decoded =
-        decode(*input_, piece.begin, piece.end, encoding_, piece.count * each);
+    const VtkBytes decoded = decode(*input_, piece.begin, piece.end, encoding_, piece.count * each);
     const std::string_view before = decoded.bytes();
     std::string after;
     after.reserve(before.size());

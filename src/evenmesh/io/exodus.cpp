@@ -414,9 +414,9 @@ class Reader {
       fail(fmt::format("has element {} in a side set; there are {}", element, cells_in_file_));
     }
     const auto number = static_cast<std::uint64_t>(element - 1);
-    const auto at = std::find_if(blocks_.begin(), blocks_.end(), [number](const Block& block) {
-      return number < block.first_element + block.elements;
-    });
+    const auto at = std::partition_point(
+        blocks_.begin(), blocks_.end(),
+        [number](const Block& block) { return number >= block.first_element + block.elements; });
     if (at->type.corners == 0) return {};
     const std::size_t cell = at->first_cell + (number - at->first_element);
     std::vector<Index> vertices =
@@ -430,20 +430,14 @@ class Reader {
 
   MeshFile take_file() {
     MeshFile file;
-    if (const std::size_t torn = find_torn(followers_, cells_, points_.size());
-        torn < followers_.size()) {
-      input_->fail(
-          fmt::format("node {} is a corner of one element and in the middle of an edge of "
-                      "another; the mesh would tear there when it moves",
-                      followers_.vertex(torn) + 1));
+    if (const auto v = torn_vertex(followers_, cells_, points_.size())) {
+      input_->fail(torn_message(fmt::format("node {}", *v + 1), "element"));
     }
     add_node_sets(file);
     SideLabels labels;
     add_side_sets(file, labels);
     const std::vector<Index> rims = labels.rims();
     held_.insert(held_.end(), rims.begin(), rims.end());
-    std::sort(held_.begin(), held_.end());
-    held_.erase(std::unique(held_.begin(), held_.end()), held_.end());
     file.held = {std::move(held_), "at the rims of side sets, or in elements without a surface"};
     if (cells_.empty()) {
       file.notes.push_back("The file has nodes but no elements that make a surface or a volume.");

@@ -31,9 +31,7 @@ void FaceList::add(std::span<const Index> vertices, std::uint64_t place, std::ui
   places_.push_back(place);
 }
 
-std::vector<std::uint64_t> FaceList::take_numbers() {
-  return std::move(numbers_);
-}
+std::vector<std::uint64_t> FaceList::take_numbers() { return std::move(numbers_); }
 
 void FaceList::append_notes(std::vector<std::string>& notes) const {
   if (cells_.empty()) notes.push_back("The file has vertices but no faces.");

@@ -301,6 +301,9 @@ MeshFile read_as(Format format, std::shared_ptr<const InputFile> input,
   file.bytes = input->size_on_disk();
   file.input = std::move(input);
   if (file.group_names.empty()) file.group_names = {""};
+  std::vector<Index>& held = file.held.vertices;
+  std::sort(held.begin(), held.end());
+  held.erase(std::unique(held.begin(), held.end()), held.end());
   return file;
 }
 

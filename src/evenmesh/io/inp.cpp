@@ -12,6 +12,7 @@
 #include "evenmesh/base/error.h"
 #include "evenmesh/io/deck_lines.h"
 #include "evenmesh/io/inp_elements.h"
+#include "evenmesh/io/inp_holders.h"
 #include "evenmesh/io/inp_sets.h"
 #include "evenmesh/io/placed_patch.h"
 #include "evenmesh/io/second_order.h"
@@ -26,63 +27,6 @@ constexpr std::size_t kWidestNumber = 20;
 /// Keywords that make nodes or elements of others, whose places then depend on theirs.
 constexpr std::array<std::string_view, 7> kGenerators = {"NGEN",  "NFILL",  "NCOPY", "NMAP",
                                                          "ELGEN", "ELCOPY", "SYSTEM"};
-
-/// Keywords whose data lines begin with a node or a node set on whose place something hangs.
-constexpr std::array<std::string_view, 5> kHolders = {
-    "BOUNDARY", "CLOAD", "CFLUX", "KINEMATIC COUPLING", "DISTRIBUTING COUPLING"};
-
-/// Their parameters name one.
-constexpr std::array<std::string_view, 6> kHoldingParameters = {
-    "REF NODE", "TIE NSET", "PIN NSET", "CONTROL NODE", "ROT NODE", "NODE"};
-
-template <std::size_t n>
-bool is_one_of(const std::array<std::string_view, n>& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// Reads comma-separated whole numbers of a data line.
-class NumberLine {
- public:
-  NumberLine(const char* first, const char* last) : p_(first), last_(last) { skip(); }
-
-  bool at_end() const { return p_ == last_; }
-  const char* place() const { return p_; }
-  const char* end() const { return last_; }
-  /// @return  false where there is no whole number, which may be a name
-  bool take(std::int64_t& value) {
-    const char* const stop = scan_whole(p_, last_, value);
-    if (stop == nullptr) return false;
-    p_ = stop;
-    skip_comma();
-    return true;
-  }
-  std::string_view take_word() {
-    const char* const first = p_;
-    while (p_ != last_ && *p_ != ',') ++p_;
-    const char* stop = p_;
-    while (stop != first && is_blank(stop[-1])) --stop;
-    skip_comma();
-    return {first, static_cast<std::size_t>(stop - first)};
-  }
-  /// Whether the last field is followed by a comma, which says that the next line goes on.
-  bool goes_on() const { return comma_last_; }
-
- private:
-  void skip() {
-    while (p_ != last_ && is_blank(*p_)) ++p_;
-  }
-  void skip_comma() {
-    skip();
-    comma_last_ = p_ != last_ && *p_ == ',';
-    if (comma_last_) ++p_;
-    skip();
-    comma_last_ = comma_last_ && p_ == last_;
-  }
-
-  const char* p_;
-  const char* last_;
-  bool comma_last_ = false;
-};
 
 class Reader {
  public:
@@ -236,7 +180,7 @@ class Reader {
   void read_block(const InputFile& file, const DeckKeyword& keyword, DeckLines& lines,
                   std::size_t scope, int depth) {
     const std::string& name = keyword.name;
-    if (is_one_of(kGenerators, name)) {
+    if (std::ranges::find(kGenerators, name) != kGenerators.end()) {
       file.fail_at(keyword.place, fmt::format("*{} makes nodes or elements that depend on others; "
                                               "write the deck with all of them listed",
                                               name));
@@ -260,7 +204,7 @@ class Reader {
     } else if (name.ends_with("SECTION") && keyword.find("ELSET") != nullptr) {
       sections_.push_back({scope, keyword.value("ELSET")});
     } else {
-      note_holders(keyword, lines, scope);
+      holders_.note(keyword, lines, scope);
     }
   }
 
@@ -419,51 +363,6 @@ class Reader {
     }
   }
 
-  void note_holders(const DeckKeyword& keyword, DeckLines& lines, std::size_t scope) {
-    for (const auto& [key, value] : keyword.parameters) {
-      if (is_one_of(kHoldingParameters, key)) holders_.push_back({scope, value});
-    }
-    if (keyword.name == "EQUATION") {
-      note_equations(lines, scope);
-    } else if (keyword.name == "MPC") {
-      for_each_field(lines, [&](std::size_t i, std::string_view field) {
-        if (i > 0) holders_.push_back({scope, std::string(field)});  // the first is the type
-      });
-    } else if (is_one_of(kHolders, keyword.name)) {
-      for_each_field(lines, [&](std::size_t i, std::string_view field) {
-        if (i == 0) holders_.push_back({scope, std::string(field)});
-      });
-    }
-  }
-
-  /// Calls visit with place and text of each field of the data lines that is not empty.
-  template <typename Visit>
-  static void for_each_field(DeckLines& lines, const Visit& visit) {
-    for (; !lines.text().empty() && !lines.is_keyword(); lines.next()) {
-      const auto fields = fields_of(lines.text());
-      for (std::size_t i = 0; i < fields.size(); ++i) {
-        if (!fields[i].empty()) visit(i, fields[i]);
-      }
-    }
-  }
-
-  /// An equation is the number of its terms on a line of its own, then node, degree of freedom and
-  /// coefficient of each.
-  void note_equations(DeckLines& lines, std::size_t scope) {
-    constexpr std::size_t kFieldsOfTerm = 3;
-    std::size_t left = 0;  // fields of the equation at hand
-    for_each_field(lines, [&](std::size_t, std::string_view field) {
-      if (left == 0) {
-        std::int64_t terms = 0;
-        if (scan_whole(field.data(), field.data() + field.size(), terms) != nullptr && terms > 0) {
-          left = kFieldsOfTerm * static_cast<std::size_t>(terms);
-        }
-        return;
-      }
-      if (left-- % kFieldsOfTerm == 0) holders_.push_back({scope, std::string(field)});
-    });
-  }
-
   // ---- putting it together ----
   void index_elements() {
     for (std::size_t s = 0; s < sets_->scopes(); ++s) {
@@ -526,19 +425,10 @@ class Reader {
 
   MeshFile take_file() {
     MeshFile file;
-    for (const auto& [scope, word] : holders_) {
-      const std::vector<Index> found = sets_->vertices_of(word, scope, cells_);
-      held_.insert(held_.end(), found.begin(), found.end());
-    }
-    std::sort(held_.begin(), held_.end());
-    held_.erase(std::unique(held_.begin(), held_.end()), held_.end());
-    if (const std::size_t torn = find_torn(followers_, cells_, points_.size());
-        torn < followers_.size()) {
-      const Index v = followers_.vertex(torn);
-      input_->fail_at(places_[v],
-                      fmt::format("node {} is a corner of one element and in the middle of an edge "
-                                  "of another; the mesh would tear there when it moves",
-                                  numbers_[v]));
+    const std::vector<Index> named = holders_.vertices(*sets_, cells_, points_.size());
+    held_.insert(held_.end(), named.begin(), named.end());
+    if (const auto v = torn_vertex(followers_, cells_, points_.size())) {
+      input_->fail_at(places_[*v], torn_message(fmt::format("node {}", numbers_[*v]), "element"));
     }
     if (cells_.empty()) {
       file.notes.push_back("The deck has nodes but no elements that make a surface or a volume.");
@@ -598,7 +488,7 @@ class Reader {
   std::vector<std::pair<std::size_t, std::optional<std::size_t>>> block_of_cells_;  // first, ELSET
   std::vector<Section> sections_;
   std::vector<WantedSet> wanted_;
-  std::vector<std::pair<std::size_t, std::string>> holders_;  // scope and word
+  InpHolders holders_;
   std::vector<Index> held_;
   std::map<std::size_t, std::uint32_t> groups_;  // by set
   std::vector<std::string> group_names_{""};

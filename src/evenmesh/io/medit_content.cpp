@@ -131,8 +131,6 @@ MeshFile MeditContent::take_file() {
 
   const std::vector<Index> between = labels.rims();
   held_.insert(held_.end(), between.begin(), between.end());
-  std::sort(held_.begin(), held_.end());
-  held_.erase(std::unique(held_.begin(), held_.end()), held_.end());
   file.held = {std::move(held_), "required by the file, or at the rim of a reference"};
   file.mesh = Mesh(std::move(points_), std::move(cells_));
   return file;

@@ -51,8 +51,8 @@ class FilePatch {
 
 /// Vertices that stay by default because something in the file hangs on their very places.
 struct HeldVertices {
-  std::vector<Index> vertices = {};
-  std::string why = {};  // "in loads, supports and couplings"
+  std::vector<Index> vertices = {};  // ascending, each once
+  std::string why = {};              // "in loads, supports and couplings"
 };
 
 struct MeshFile {

@@ -285,14 +285,11 @@ class Reader {
   }
 
   void check_not_torn() const {
-    const std::size_t torn =
-        find_torn(content_.followers, content_.cells, content_.nodes.points.size());
-    if (torn == content_.followers.size()) return;
-    const Index v = content_.followers.vertex(torn);
-    scanner_.fail(content_.nodes.offsets[v],
-                  fmt::format("node {} is a corner of one element and in the middle of an edge of "
-                              "another; the mesh would tear there when it moves",
-                              content_.nodes.tags[v]));
+    const MshNodes& nodes = content_.nodes;
+    if (const auto v = torn_vertex(content_.followers, content_.cells, nodes.points.size())) {
+      scanner_.fail(nodes.offsets[*v],
+                    torn_message(fmt::format("node {}", nodes.tags[*v]), "element"));
+    }
   }
 
   MeshFile take_file() {

@@ -324,8 +324,6 @@ void MshContent::hold_sides(const MshSides& all, bool volume, MeshFile& file) co
   }
   const std::vector<Index> rims = labels.rims();
   held.insert(held.end(), rims.begin(), rims.end());
-  std::sort(held.begin(), held.end());
-  held.erase(std::unique(held.begin(), held.end()), held.end());
   file.held = {std::move(held), "on points and lines of the file, or at the rims of its groups"};
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -361,10 +362,28 @@ class Reader {
         hold(card.text(f));
         continue;
       }
-      for (std::size_t v = 0; v < ids_.size(); ++v) {
-        if (ids_[v] >= low && ids_[v] <= high) held_.push_back(static_cast<Index>(v));
-      }
+      ranges_.emplace_back(low, high);
       f += 2;
+    }
+  }
+
+  /// Ranges may overlap, each with all grids: they are joined before grids are listed.
+  void hold_ranges() {
+    std::sort(ranges_.begin(), ranges_.end());
+    std::vector<Range> joined;
+    for (const Range& range : ranges_) {
+      if (!joined.empty() && range.first <= joined.back().second) {
+        joined.back().second = std::max(joined.back().second, range.second);
+      } else {
+        joined.push_back(range);
+      }
+    }
+    for (std::size_t v = 0; v < ids_.size() && !joined.empty(); ++v) {
+      const auto behind =
+          std::upper_bound(joined.begin(), joined.end(), Range{ids_[v], ~std::uint64_t{0}});
+      if (behind != joined.begin() && ids_[v] <= std::prev(behind)->second) {
+        held_.push_back(static_cast<Index>(v));
+      }
     }
   }
 
@@ -385,19 +404,13 @@ class Reader {
 
   MeshFile take_file() {
     MeshFile file;
-    if (const std::size_t torn = find_torn(followers_, cells_, points_.size());
-        torn < followers_.size()) {
-      const Index v = followers_.vertex(torn);
-      input_->fail_at(places_[v],
-                      fmt::format("GRID {} is a corner of one element and in the middle of an edge "
-                                  "of another; the mesh would tear there when it moves",
-                                  ids_[v]));
+    if (const auto v = torn_vertex(followers_, cells_, points_.size())) {
+      input_->fail_at(places_[*v], torn_message(fmt::format("GRID {}", ids_[*v]), "element"));
     }
     if (cells_.empty()) {
       file.notes.push_back("The deck has grids but no elements that make a surface or a volume.");
     }
-    std::sort(held_.begin(), held_.end());
-    held_.erase(std::unique(held_.begin(), held_.end()), held_.end());
+    hold_ranges();
     file.held = {std::move(held_), "in loads, supports, rigid and one-dimensional elements"};
     file.group_names = std::move(names_);
     file.followers = std::move(followers_);
@@ -426,7 +439,9 @@ class Reader {
   std::map<std::uint64_t, std::uint32_t> groups_;
   std::vector<std::string> names_{""};
   std::vector<Index> held_;
-  std::vector<Index> nodes_;  // of the element at hand
+  using Range = std::pair<std::uint64_t, std::uint64_t>;
+  std::vector<Range> ranges_;  // of the numbers of grids that are held
+  std::vector<Index> nodes_;   // of the element at hand
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include <fmt/core.h>
+
 namespace evenmesh {
 namespace {
 
@@ -94,13 +96,22 @@ void add_followers(CellKind kind, EdgeOrder order, std::span<const Index> nodes,
   }
 }
 
-std::size_t find_torn(const Followers& followers, const Cells& cells, std::size_t vertices) {
-  if (followers.empty()) return 0;
+std::optional<Index> torn_vertex(const Followers& followers, const Cells& cells,
+                                 std::size_t vertices) {
+  if (followers.empty()) return {};
   std::vector<char> is_corner(vertices, 0);
   for (const Index v : cells.corners()) is_corner[v] = 1;
-  std::size_t i = 0;
-  while (i < followers.size() && !is_corner[followers.vertex(i)]) ++i;
-  return i;
+  for (std::size_t i = 0; i < followers.size(); ++i) {
+    if (is_corner[followers.vertex(i)]) return followers.vertex(i);
+  }
+  return {};
+}
+
+std::string torn_message(std::string_view vertex, std::string_view cell) {
+  return fmt::format(
+      "{} is a corner of one {} and in the middle of an edge of another; the mesh "
+      "would tear there when it moves",
+      vertex, cell);
 }
 
 }  // namespace evenmesh

@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "evenmesh/mesh/cell_kind.h"
 #include "evenmesh/mesh/followers.h"
@@ -18,19 +21,23 @@ enum class EdgeOrder : std::uint8_t {
   nastran  // bottom, upright, then top edges
 };
 
-/// Notes the nodes of a cell of second order that are no corners.
-/// @param nodes  corners first, then edges, quads, the middle of the whole; kNoNode where the
-/// format
-///               lets one leave one out
-/// @pre   has_node_count(kind, nodes.size())
+/// Stands for a node that a format lets one leave out.
 inline constexpr Index kNoNode = ~Index{0};
+
+/// Notes the nodes of a cell of second order that are no corners.
+/// @param nodes  corners first, then edges, quads, the middle of the whole; or kNoNode
+/// @pre   has_node_count(kind, nodes.size())
 void add_followers(CellKind kind, EdgeOrder order, std::span<const Index> nodes,
                    Followers& followers);
 
-/// Fails where a vertex is a corner of one cell and in the middle of an edge of another: the mesh
-/// would tear there.
-/// @return  a follower that is a corner of some cell; its number, or followers.size() if there is
-/// none
-std::size_t find_torn(const Followers& followers, const Cells& cells, std::size_t vertices);
+/// A vertex that is a corner of one cell and in the middle of an edge of another, where the mesh
+/// would tear; none as it should be.
+std::optional<Index> torn_vertex(const Followers& followers, const Cells& cells,
+                                 std::size_t vertices);
+
+/// What to say of it.
+/// @param vertex  by the name that it has in the file: "node 17"
+/// @param cell    what the format calls a cell
+std::string torn_message(std::string_view vertex, std::string_view cell);
 
 }  // namespace evenmesh

@@ -117,6 +117,39 @@ bool names_material(std::string_view array) {
 
 }  // namespace
 
+VtkCells structured_cells(const std::array<std::uint64_t, 3>& dimensions) {
+  VtkCells result;
+  std::array<std::uint64_t, 3> cells{};
+  std::vector<std::size_t> axes;  // along which there are cells
+  for (std::size_t k = 0; k < 3; ++k) {
+    cells[k] = dimensions[k] > 1 ? dimensions[k] - 1 : 1;
+    if (dimensions[k] > 1) axes.push_back(k);
+  }
+  if (axes.size() < 2) return result;
+  const std::array<std::uint64_t, 3> step = {1, dimensions[0], dimensions[0] * dimensions[1]};
+  const std::uint64_t u = step[axes[0]];
+  const std::uint64_t v = step[axes[1]];
+  for (std::uint64_t k = 0; k < cells[2]; ++k) {
+    for (std::uint64_t j = 0; j < cells[1]; ++j) {
+      for (std::uint64_t i = 0; i < cells[0]; ++i) {
+        const std::uint64_t first = i * step[0] + j * step[1] + k * step[2];
+        for (const std::uint64_t corner : {first, first + u, first + u + v, first + v}) {
+          result.points.push_back(static_cast<Index>(corner));
+        }
+        if (axes.size() == 3) {
+          for (std::size_t c = 0; c < 4; ++c) {
+            result.points.push_back(
+                static_cast<Index>(result.points[result.points.size() - 4] + step[2]));
+          }
+        }
+        result.ends.push_back(result.points.size());
+      }
+    }
+  }
+  result.types.assign(result.ends.size(), axes.size() == 3 ? kVtkHex : kVtkQuad);
+  return result;
+}
+
 bool VtkContent::add_point(const Vec3& position) {
   points_.push_back(position);
   return position.allFinite();
@@ -201,12 +234,9 @@ void VtkContent::fail(std::size_t cell, std::string_view message) const {
 }
 
 void VtkContent::check_not_torn() const {
-  const std::size_t torn = find_torn(followers_, cells_, points_.size());
-  if (torn == followers_.size()) return;
-  input_->fail(
-      fmt::format("point {} is a corner of one cell and in the middle of an edge of "
-                  "another; the mesh would tear there when it moves",
-                  followers_.vertex(torn)));
+  if (const auto v = torn_vertex(followers_, cells_, points_.size())) {
+    input_->fail(torn_message(fmt::format("point {}", *v), "cell"));
+  }
 }
 
 DataArray VtkContent::data_array(const VtkArray& array, const Numbers& numbers) const {

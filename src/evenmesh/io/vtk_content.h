@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -32,6 +33,10 @@ struct VtkCells {
   std::vector<Index> points;          // of all cells, one behind the other
   std::vector<std::uint64_t> places;  // where each stands in a text; empty: unknown
 };
+
+/// The quads or hexes of a grid of points, x fastest; none in a line of points.
+/// @param dimensions  numbers of points along x, y and z
+VtkCells structured_cells(const std::array<std::uint64_t, 3>& dimensions);
 
 /// An array of a file, over all of its points or all of its cells.
 struct VtkArray {

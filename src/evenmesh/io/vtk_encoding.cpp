@@ -14,8 +14,7 @@
 namespace evenmesh {
 namespace {
 
-// ---- base64: four letters for three bytes
-// --------------------------------------------------------
+// ---- base64: four letters for three bytes ----
 constexpr std::string_view kLetters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr unsigned char kNoLetter = 64;
@@ -47,8 +46,7 @@ std::string to_letters(std::string_view bytes) {
   return text;
 }
 
-// ---- arrays
-// --------------------------------------------------------------------------------------
+// ---- arrays ----
 /// The sizes of the blocks of a compressed array.
 struct Blocks {
   std::string head = {};   // the bytes of their number and of the two sizes that follow

@@ -197,8 +197,7 @@ class Reader {
   }
 
  private:
-  // ---- tags
-  // --------------------------------------------------------------------------------------
+  // ---- tags ----
   void read_tags() {
     XmlScanner scanner(input_->bytes());
     XmlTag tag;
@@ -317,8 +316,7 @@ class Reader {
     return number(piece.tag, *text);
   }
 
-  // ---- pieces
-  // ------------------------------------------------------------------------------------
+  // ---- pieces ----
   void read_piece(const Piece& piece) {
     const std::size_t first = content_.points();
     const std::uint64_t points = count(piece, "NumberOfPoints");
@@ -464,8 +462,7 @@ class Reader {
     return cells;
   }
 
-  // ---- arrays
-  // ------------------------------------------------------------------------------------
+  // ---- arrays ----
   /// Those of one number per point or cell that all pieces have.
   void add_arrays() {
     for (const Array& first : pieces_[0].arrays) {

@@ -399,8 +399,7 @@ class Plot {
   Box frame_{};
 };
 
-// ---- the standard plot of a run
-// -------------------------------------------------------------------
+// ---- the standard plot of a run ----
 
 // What there is left to lose in each stage, as part of what there was at its start.
 Curve remaining_cost(const std::vector<Iteration>& history) {

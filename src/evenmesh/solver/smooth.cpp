@@ -203,9 +203,8 @@ class Smoothing {
     problem.terms = untangling_terms(mesh_, problem_);
     Objective objective(mesh_, problem);
     objective.constrain(workers_, mesh_, origin_);
-    Multigrid preconditioner(workers_, objective.majoriser(workers_, points_),
-                             objective.projectors(problem.motion.start()));
-    Flips flips(objective.layout(), mesh_.points(), problem.orientation);
+    Multigrid preconditioner = preconditioner_of(objective);
+    Flips flips = flips_of(objective, 0.0);
     Report report;
     report.setup_seconds = timer.seconds();
     report.setup_cpu_seconds = cpu_seconds() - cpu_before;
@@ -258,21 +257,31 @@ class Smoothing {
   using Mover = std::function<void(std::vector<Vec3>& x, Report& report, const Observe& observe)>;
 
   void minimise(Objective& objective, double cpu_before) {
-    Multigrid preconditioner(workers_, objective.majoriser(workers_, points_),
-                             objective.projectors(objective.problem().motion.start()));
+    Multigrid preconditioner = preconditioner_of(objective);
     report_.multigrid_levels = preconditioner.levels();
     note_setup(cpu_before);
 
     const double least_shape = options_.judge == Judge::quality_and_inversion
                                    ? guard_.before().of(Metric::shape).worst
                                    : 0.0;
+    Flips flips = flips_of(objective, least_shape);
+    move(objective, [&](std::vector<Vec3>& x, Report& report, const Observe& observe) {
+      descend(workers_, objective, preconditioner, flips, options_, x, report, observe);
+    });
+  }
+
+  /// Made for points_.
+  Multigrid preconditioner_of(const Objective& objective) const {
+    return Multigrid(workers_, objective.majoriser(workers_, points_),
+                     objective.projectors(objective.problem().motion.start()));
+  }
+
+  Flips flips_of(const Objective& objective, double least_shape) const {
     Flips flips(objective.layout(), mesh_.points(), problem_.orientation, least_shape);
     // Surfaces have soft modes, along which all vertices of a patch drift together at little gain;
     // no vertex needs to go further than to its neighbours.
     if (problem_.orientation.type == MeshType::surface) flips.set_reach(local_edge_lengths(mesh_));
-    move(objective, [&](std::vector<Vec3>& x, Report& report, const Observe& observe) {
-      descend(workers_, objective, preconditioner, flips, options_, x, report, observe);
-    });
+    return flips;
   }
 
   // It shortens steps as a whole, so it must not for the sake of one vertex: shape and reach do not

@@ -52,7 +52,9 @@ void check(const Options& options);
 
 /// Moves the vertices of a mesh to where the problem's cost is least, by a nonlinear conjugate
 /// gradient method preconditioned with multigrid, by Newton's method, or by the dense method of the
-/// paper (Options::solver); or as a classic method has it (Options::method).
+/// paper (Options::solver); or as a classic method has it (Options::method). Where a cost wants
+/// valid cells (Cost::wants_valid_cells()) and the mesh has inverted ones, it is untangled with
+/// untangling_terms() first, as a part of the run.
 ///
 /// Afterwards, in comparison with the input:
 /// - vertices that the problem fixes have the same bits,
