@@ -401,9 +401,7 @@ class Reader {
       const auto set = sets_->find_anywhere(InpSets::Kind::elements, section.scope, section.elset);
       if (!set) continue;
       const std::uint32_t group = group_of(*set, section.elset);
-      for (const Index cell : sets_->members(*set)) {
-        if (cell != NodeNumbers::kNone) of[cell] = group;
-      }
+      for (const Index cell : sets_->members(*set)) of[cell] = group;
     }
     for (std::size_t b = 0; b < block_of_cells_.size(); ++b) {
       const auto& [first, set] = block_of_cells_[b];

@@ -81,7 +81,15 @@ void InpSets::add_set(std::size_t set, std::size_t other) {
   if (set != other) sets_[set].others.push_back(other);
 }
 
-void InpSets::collect(const Piece& piece, Kind kind, std::vector<Index>& members) const {
+void InpSets::Members::add(Index member) {
+  if (member == NodeNumbers::kNone) return;  // an element that is no cell
+  if (member >= taken.size()) taken.resize(std::size_t{member} + 1 + taken.size(), 0);
+  if (taken[member]) return;
+  taken[member] = 1;
+  list.push_back(member);
+}
+
+void InpSets::collect(const Piece& piece, Kind kind, Members& members) const {
   const Scope& scope = scopes_[piece.scope];
   const bool of_nodes = kind == Kind::nodes;
   const std::vector<std::uint64_t>& numbers = of_nodes ? scope.nodes : scope.elements;
@@ -92,18 +100,19 @@ void InpSets::collect(const Piece& piece, Kind kind, std::vector<Index>& members
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const bool in = numbers[i] >= range.first && numbers[i] <= range.last &&
                       (numbers[i] - range.first) % range.step == 0;
-      if (in) members.push_back(meant[i]);
+      if (in) members.add(meant[i]);
     }
     return;
   }
   for (std::uint64_t number = range.first; number <= range.last; number += range.step) {
     const Index place = index.find(number);
-    if (place != NodeNumbers::kNone) members.push_back(meant[place]);
+    if (place != NodeNumbers::kNone) members.add(meant[place]);
   }
 }
 
-void InpSets::collect(std::size_t set, Kind kind, std::vector<char>& seen,
-                      std::vector<Index>& members) const {
+std::vector<Index> InpSets::collect(std::size_t set, Kind kind) const {
+  std::vector<char> seen(sets_.size(), 0);
+  Members members;
   std::vector<std::size_t> waiting = {set};
   while (!waiting.empty()) {
     const std::size_t at = waiting.back();
@@ -115,24 +124,14 @@ void InpSets::collect(std::size_t set, Kind kind, std::vector<char>& seen,
     }
     waiting.insert(waiting.end(), sets_[at].others.begin(), sets_[at].others.end());
   }
+  return std::move(members.list);
 }
 
-std::vector<Index> InpSets::members(std::size_t set) const {
-  std::vector<char> seen(sets_.size(), 0);
-  std::vector<Index> result;
-  collect(set, sets_[set].kind, seen, result);
-  return result;
-}
+std::vector<Index> InpSets::members(std::size_t set) const { return collect(set, sets_[set].kind); }
 
 std::vector<Index> InpSets::vertices(std::size_t set, const Cells& cells) const {
-  std::vector<char> seen(sets_.size(), 0);
-  std::vector<Index> result;
-  collect(set, Kind::nodes, seen, result);
-  seen.assign(sets_.size(), 0);
-  std::vector<Index> members;
-  collect(set, Kind::elements, seen, members);
-  for (const Index cell : members) {
-    if (cell == NodeNumbers::kNone) continue;
+  std::vector<Index> result = collect(set, Kind::nodes);
+  for (const Index cell : collect(set, Kind::elements)) {
     const auto corners = cells.vertices(cell);
     result.insert(result.end(), corners.begin(), corners.end());
   }
@@ -149,12 +148,13 @@ std::vector<Index> InpSets::vertices_of(std::string_view word, std::size_t scope
   std::uint64_t number = 0;
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error == std::errc() && stop == word.data() + word.size()) {
-    std::vector<Index> found;
-    collect({scope, {number, number, 1}}, Kind::nodes, found);
+    const auto vertex_in = [this, number](const Scope& in) {
+      const Index place = in.node_numbers.find(number);
+      return place == NodeNumbers::kNone ? std::vector<Index>() : std::vector{in.vertices[place]};
+    };
+    const std::vector<Index> found = vertex_in(scopes_[scope]);
     // Some programs write loads behind the only part as if its numbers were the model's.
-    if (found.empty() && scope == 0 && scopes_.size() == 2) {
-      collect({1, {number, number, 1}}, Kind::nodes, found);
-    }
+    if (found.empty() && scope == 0 && scopes_.size() == 2) return vertex_in(scopes_[1]);
     return found;
   }
   const auto set = find_anywhere(Kind::nodes, scope, word);

@@ -59,7 +59,7 @@ class InpSets {
   void add_set(std::size_t set, std::size_t other);
   const std::string& name(std::size_t set) const { return sets_[set].name; }
 
-  /// The vertices of a node set, or the cells of an element set.
+  /// The vertices of a node set, or the cells of an element set, each once.
   std::vector<Index> members(std::size_t set) const;
   std::vector<Index> vertices(std::size_t set, const Cells& cells) const;
 
@@ -82,9 +82,14 @@ class InpSets {
     std::vector<Piece> pieces = {};
     std::vector<std::size_t> others = {};
   };
-  void collect(std::size_t set, Kind kind, std::vector<char>& seen,
-               std::vector<Index>& members) const;
-  void collect(const Piece& piece, Kind kind, std::vector<Index>& members) const;
+  /// Vertices, or cells, each once however often sets list them.
+  struct Members {
+    std::vector<Index> list = {};
+    std::vector<char> taken = {};
+    void add(Index member);
+  };
+  std::vector<Index> collect(std::size_t set, Kind kind) const;
+  void collect(const Piece& piece, Kind kind, Members& members) const;
   std::size_t listed(const Set& set) const;
 
   std::vector<Scope> scopes_;
