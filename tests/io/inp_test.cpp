@@ -57,6 +57,15 @@ TEST(Inp, GroupsCellsBySection) {
   EXPECT_EQ(file.mesh.cells().group(1), 1u);
 }
 
+TEST(Inp, ListsTheMembersOfASetOnceHoweverOftenItNamesThem) {
+  const MeshFile file = read(kNodes +
+                             "*ELEMENT, TYPE=CPS4, ELSET=e\n1, 10, 20, 30, 40\n*NSET, NSET=many, "
+                             "GENERATE\n10, 40, 10\n20, 80, 10\n10, 80, 10\n");
+  const auto many = std::ranges::find(file.sets, "many", &NamedSet::name);
+  ASSERT_NE(many, file.sets.end());
+  EXPECT_EQ(many->vertices(file.mesh.cells()).size(), 6u);
+}
+
 TEST(Inp, KnowsSetsByNumbersRangesAndNames) {
   const MeshFile file = read(kNodes +
                              "*ELEMENT, TYPE=CPS4\n1, 10, 20, 30, 40\n2, 20, 70, 80, 30\n"
