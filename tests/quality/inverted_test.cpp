@@ -89,6 +89,30 @@ TEST(VolumeCell, IsInvertedWhenOneCornerIs) {
   }
 }
 
+// Upwards the base of 4 by 1 turns into one of -1 by -4: every corner determinant is 4, the one in
+// the middle -2.25.
+Corners twisted(CellKind kind) {
+  const Corners hex{{0, 0, 0}, {4, 0, 0},  {4, 1, 0},   {0, 1, 0},
+                    {0, 0, 1}, {-1, 0, 1}, {-1, -4, 1}, {0, -4, 1}};
+  return kind == CellKind::hex ? hex : cells::picked(hex, {0, 1, 3, 4, 5, 7});
+}
+
+TEST(HexAndWedge, AreInvertedWhenTheyAreSoOnlyBetweenTheirCorners) {
+  for (const CellKind kind : {CellKind::hex, CellKind::wedge}) {
+    for (const double size : {1e-100, 1e-30, 1.0, 1e30, 1e100}) {
+      Corners cell = twisted(kind);
+      for (Vec3& p : cell) p = size * (p + Vec3(3, 4, 5));
+      EXPECT_TRUE(is_inverted(kind, cell, Vec3::Zero())) << traits(kind).name << " of " << size;
+      EXPECT_GT(measure(Metric::shape, kind, cell, Vec3::Zero()), 0.0);
+      EXPECT_TRUE(is_inverted(kind, cells::mirrored(cell), Vec3::Zero(), -1.0));
+
+      Corners good = cells::ideal(kind);
+      for (Vec3& p : good) p *= size;
+      EXPECT_FALSE(is_inverted(kind, good, Vec3::Zero())) << traits(kind).name << " of " << size;
+    }
+  }
+}
+
 TEST(Shape, GoesToZeroContinuouslyAsTheCellGoesFlat) {
   for (const CellKind kind : cells::all_kinds()) {
     double before = 1.0;

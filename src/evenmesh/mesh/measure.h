@@ -27,8 +27,9 @@ std::vector<double> local_edge_lengths(const Mesh& mesh);
 double ideal_measure(CellKind kind, int vertices);
 
 /// The least signed measure over a cell's corners, twice a triangle's area (or six times a tet's
-/// volume) each: positive at every corner means not inverted. Surface cells count about `up`, and a
-/// polygon, which may be concave, with twice its whole area instead.
+/// volume) each: positive at every corner means not inverted, but for a hex or wedge, which may be
+/// so in between (whole_cell.h). Surface cells count about `up`, and a polygon, which may be
+/// concave, with twice its whole area instead.
 /// @param vertex(i)  position of the cell's i-th vertex
 /// @param up         surface cells: a unit vector
 /// @param sign       volume cells: -1 if wound the other way on purpose

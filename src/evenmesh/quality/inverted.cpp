@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "evenmesh/mesh/whole_cell.h"
+
 namespace evenmesh {
 
 bool is_inverted(CellKind kind, const SurfaceCell& cell) {
@@ -12,8 +14,13 @@ bool is_inverted(CellKind kind, const SurfaceCell& cell) {
 }
 
 bool is_inverted(const VolumeCell& cell) {
-  return std::any_of(cell.corners().begin(), cell.corners().end(),
-                     [](const auto& corner) { return !(corner.determinant > 0.0); });
+  const bool is_at_corner =
+      std::any_of(cell.corners().begin(), cell.corners().end(),
+                  [](const auto& corner) { return !(corner.determinant > 0.0); });
+  if (is_at_corner || cell.kind() == CellKind::tet || cell.kind() == CellKind::pyramid) {
+    return is_at_corner;
+  }
+  return !is_positive_everywhere(cell.kind(), cell.points(), cell.sign());
 }
 
 }  // namespace evenmesh

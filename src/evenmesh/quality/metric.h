@@ -47,10 +47,11 @@ bool worse(Metric metric, double a, double b);
 double measure(Metric metric, CellKind kind, std::span<const Vec3> corners, const Vec3& up,
                double sign = 1.0);
 
-/// True when some corner of the cell is flat or turned over: its signed area (or volume) with
-/// respect to up (or sign) is <= 0. For a linear triangle, a planar quad and a tet this is exact;
-/// for hexes, wedges and pyramids a positive answer at every corner does not prove the cell valid
-/// everywhere inside. A polygon is inverted when its signed area is <= 0: a concave one is not.
+/// True when the cell is flat or turned over somewhere: its Jacobian determinant with respect to
+/// up (or sign) is <= 0 at a corner or, in a hex or wedge, anywhere in it
+/// (is_positive_everywhere()). False proves that a linear triangle, a planar quad and every volume
+/// cell is valid as a whole, to rounding. A polygon is inverted when its signed area is <= 0: a
+/// concave one is not.
 bool is_inverted(CellKind kind, std::span<const Vec3> corners, const Vec3& up, double sign = 1.0);
 
 }  // namespace evenmesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/quality/volume_cell.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "evenmesh/geometry/unit_size.h"
@@ -30,10 +31,13 @@ void VolumeCell::set(CellKind kind, std::span<const Vec3> points, double sign) {
   assert(traits(kind).dimension == 3);
   assert(points.size() == static_cast<std::size_t>(traits(kind).vertices));
   kind_ = kind;
-  if (!try_set(points, sign)) try_set(unit_sized(points), sign);  // at worst all zero: collapsed
+  sign_ = sign;
+  if (!try_set(points)) try_set(unit_sized(points));  // at worst all zero: collapsed
 }
 
-bool VolumeCell::try_set(std::span<const Vec3> points, double sign) {
+bool VolumeCell::try_set(std::span<const Vec3> points) {
+  point_count_ = points.size();
+  std::copy(points.begin(), points.end(), points_.begin());
   const auto table = traits(kind_).corners;
   count_ = table.size();
   double sum = 0.0;
@@ -43,12 +47,12 @@ bool VolumeCell::try_set(std::span<const Vec3> points, double sign) {
     corner.a = points[table[i].neighbours[0]] - v;
     corner.b = points[table[i].neighbours[1]] - v;
     corner.c = points[table[i].neighbours[2]] - v;
-    corner.determinant = sign * determinant(corner);
+    corner.determinant = sign_ * determinant(corner);
     sum += corner.a.squaredNorm() + corner.b.squaredNorm() + corner.c.squaredNorm();
   }
   if (kind_ == CellKind::hex) {
     axes_ = hex_axes(points);
-    axes_.determinant = sign * determinant(axes_);
+    axes_.determinant = sign_ * determinant(axes_);
   }
   return sum > kSmallSum && sum < kLargeSum;  // false for NaN
 }

@@ -10,8 +10,8 @@
 
 namespace evenmesh {
 
-/// A tet, hex, wedge or pyramid reduced to the edges and the determinant at each corner, in a unit
-/// of the cell's own (see SurfaceCell). One object may be set again and again.
+/// A tet, hex, wedge or pyramid with the edges and the determinant at each corner, in a unit of the
+/// cell's own (see SurfaceCell). One object may be set again and again.
 class VolumeCell {
  public:
   /// The edges that leave a corner, in the order of CellTraits::Corner.
@@ -28,16 +28,21 @@ class VolumeCell {
 
   CellKind kind() const { return kind_; }
   std::span<const Corner> corners() const { return {corners_.data(), count_}; }
+  std::span<const Vec3> points() const { return {points_.data(), point_count_}; }
+  double sign() const { return sign_; }
 
   /// Hex: the three axes, each the sum of its four edges, as if they met in a corner.
   const Corner& axes() const { return axes_; }
 
  private:
-  bool try_set(std::span<const Vec3> points, double sign);
+  bool try_set(std::span<const Vec3> points);
 
   CellKind kind_ = CellKind::tet;
+  double sign_ = 1.0;
+  std::array<Vec3, 8> points_;
   std::array<Corner, 8> corners_;
   Corner axes_;
+  std::size_t point_count_ = 0;
   std::size_t count_ = 0;
 };
 
