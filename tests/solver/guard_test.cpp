@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/solver/guard.h"
 
+#include <memory>
+#include <string_view>
+
 #include <gtest/gtest.h>
 
 #include "evenmesh/solver/reorder.h"
@@ -143,6 +146,116 @@ TEST_F(Tangled, FurtherOverIsABreach) {
   ASSERT_EQ(guard_.before().inverted, 1u);
   EXPECT_NE(guard_.find_breach(workers_, centre_at(1.2, 0.5), Judge::inversion), "");
   EXPECT_EQ(guard_.find_breach(workers_, centre_at(1.05, 0.5), Judge::inversion), "");
+}
+
+// One hex, a cube of size 10 unless it is given; and one that is positive at its corners and along
+// its edges, but not between them.
+class OneHex : public testing::Test {
+ protected:
+  static Mesh mesh_of(std::vector<Vec3> points) {
+    Cells cells;
+    cells.add(CellKind::hex, std::vector<Index>{0, 1, 2, 3, 4, 5, 6, 7});
+    return Mesh(std::move(points), std::move(cells));
+  }
+  static std::vector<Vec3> cube() {
+    std::vector<Vec3> points;
+    for (const auto& p : traits(CellKind::hex).ideal) {
+      points.emplace_back(10.0 * p[0], 10.0 * p[1], 10.0 * p[2]);
+    }
+    return points;
+  }
+  static std::vector<Vec3> folded(double size = 1.0) {
+    std::vector<Vec3> points{{-5, -2, 6},  {5, 6, -6},  {13, 3, 5}, {3, 5, 5},
+                             {-2, -5, 12}, {15, -1, 4}, {5, 3, 10}, {-5, 12, 9}};
+    for (Vec3& p : points) p *= size;
+    return points;
+  }
+
+  explicit OneHex(std::vector<Vec3> points)
+      : mesh_(mesh_of(std::move(points))),
+        orientation_(find_orientation(mesh_)),
+        guard_(workers_, mesh_, orientation_) {}
+  OneHex() : OneHex(cube()) {}
+
+  Workers workers_;
+  Mesh mesh_;
+  Orientation orientation_;
+  Guard guard_;
+};
+
+TEST_F(OneHex, ThatWouldBeInvertedOnlyBetweenItsCornersIsPulledBack) {
+  std::vector<Vec3> points = folded();
+  ASSERT_GT(testing_setup::corner_of(mesh_, orientation_, 0, points), 0.0);
+  EXPECT_NE(guard_.find_breach(workers_, points, Judge::inversion).find("inverted"),
+            std::string::npos);
+  const Guard::Result result = guard_.enforce(workers_, points, Judge::inversion);
+  EXPECT_EQ(result.inverted_unguarded, 1u);
+  EXPECT_EQ(result.pulled_back, 8u);
+  EXPECT_EQ(result.after.inverted, 0u);
+  EXPECT_NE(points, copy_of(mesh_.points()));
+  EXPECT_EQ(guard_.find_breach(workers_, points, Judge::inversion), "");
+}
+
+// Least where every vertex is in a place of its own.
+class Places final : public Cost {
+ public:
+  explicit Places(std::vector<Vec3> places) : places_(std::move(places)) {}
+  std::string_view name() const override { return "places"; }
+  double evaluate(const CellBlock& cells, Points x, double weight,
+                  std::span<Vec3> gradient) const override {
+    double sum = 0.0;
+    for (const Index v : cells.vertices) {
+      const Vec3 away = x[v] - places_[v];
+      sum += away.squaredNorm();
+      if (!gradient.empty()) gradient[v] += 2.0 * weight * away;
+    }
+    return weight * sum;
+  }
+
+ private:
+  std::vector<Vec3> places_;
+};
+
+TEST_F(OneHex, IsNotHandedBackFoldedWhereTheCostIsLeastSo) {
+  Mesh mesh = mesh_;
+  Problem problem = problem_of(mesh, {}, "none");
+  problem.terms = {{1.0, std::make_shared<Places>(folded())}};
+  const Report report = smooth(mesh, problem, {.judge = Judge::inversion});
+  EXPECT_EQ(report.inverted_unguarded, 1u);
+  EXPECT_EQ(report.pulled_back, 8u);
+  EXPECT_EQ(report.quality_after.inverted, 0u);
+  EXPECT_LT(report.cost_after, report.cost_before);
+}
+
+class FoldedHex : public OneHex {
+ protected:
+  FoldedHex() : OneHex(folded()) {}
+};
+
+TEST_F(FoldedHex, IsJudgedByItsInsideAsLongAsItsCornersAreGood) {
+  ASSERT_EQ(guard_.before().inverted, 1u);
+  EXPECT_EQ(guard_.find_breach(workers_, mesh_.points(), kAll), "");
+  // A smaller one has lower corners, but is less inverted inside; with a larger one it is the
+  // other way round.
+  EXPECT_EQ(guard_.find_breach(workers_, folded(0.9), kAll), "");
+  EXPECT_NE(guard_.find_breach(workers_, folded(1.1), kAll).find("more so"), std::string::npos);
+  EXPECT_EQ(guard_.find_breach(workers_, cube(), kAll), "");
+  std::vector<Vec3> points = cube();
+  std::swap(points[0], points[1]);  // a corner turned over
+  EXPECT_NE(guard_.find_breach(workers_, points, kAll), "");
+}
+
+TEST_F(FoldedHex, IsUnfoldedBySmoothing) {
+  Mesh mesh = mesh_;
+  const Report report = smooth(mesh, problem_of(mesh, {}, "id:1"));
+  EXPECT_EQ(report.quality_before.inverted, 1u);
+  EXPECT_EQ(report.quality_after.inverted, 0u);
+  EXPECT_EQ(report.stop, Stop::converged);
+  EXPECT_EQ(report.promise, Promise::kept);
+  EXPECT_GT(report.quality_after.of(Metric::shape).worst, 0.99);
+  for (std::size_t i = 0; i < report.history.size(); ++i) {
+    EXPECT_EQ(report.history[i].number, static_cast<int>(i));
+  }
 }
 
 TEST(Guard, NamesABreachOfTheMeanOfShape) {

@@ -13,9 +13,9 @@ namespace evenmesh {
 ///   det_k(x) >= eps_e,   det_k of a triangle is twice its area, of a tet six times its volume
 ///
 /// A polygon, which may be concave, is asked for twice its whole area instead; a surface cell in
-/// space is measured about its normal in the input. Linear triangles and tets, and quads with
-/// straight sides, are valid where their corners are; hexes, wedges and pyramids may in rare cases
-/// be inverted in between.
+/// space is measured about its normal in the input. Linear triangles and tets, quads with
+/// straight sides and pyramids, are valid where their corners are; hexes and wedges may in rare
+/// cases be inverted in between, which the solver's promise looks for at the end (whole_cell.h).
 struct Validity {
   /// False: cells are not asked for anything (steps that turn a valid cell over are shortened
   /// all the same).

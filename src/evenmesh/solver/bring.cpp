@@ -2,11 +2,13 @@
 #include "evenmesh/solver/bring.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
 #include "evenmesh/base/timer.h"
 #include "evenmesh/mesh/measure.h"
+#include "evenmesh/mesh/whole_cell.h"
 #include "evenmesh/solver/descent.h"
 
 namespace evenmesh {
@@ -63,12 +65,18 @@ class Way {
   }
 
   bool is_valid(std::size_t cell, Points x) const {
+    const CellKind kind = mesh_.cells().kind(cell);
     const auto vertices = mesh_.cells().vertices(cell);
     const Orientation& orientation = problem_.orientation;
-    return least_corner(
-               mesh_.cells().kind(cell), static_cast<int>(vertices.size()),
-               [&](int i) -> const Vec3& { return x[vertices[static_cast<std::size_t>(i)]]; },
-               orientation.up(cell), orientation.sign(cell)) > 0.0;
+    const auto at = [&](int i) -> const Vec3& { return x[vertices[static_cast<std::size_t>(i)]]; };
+    if (traits(kind).dimension == 3) {
+      std::array<Vec3, 8> corners;
+      for (std::size_t i = 0; i < vertices.size(); ++i) corners[i] = x[vertices[i]];
+      return is_positive_everywhere(kind, {corners.data(), vertices.size()},
+                                    orientation.sign(cell));
+    }
+    return least_corner(kind, static_cast<int>(vertices.size()), at, orientation.up(cell), 1.0) >
+           0.0;
   }
 
   std::size_t newly_inverted(Points x) const {

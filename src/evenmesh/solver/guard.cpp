@@ -2,11 +2,13 @@
 #include "evenmesh/solver/guard.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/core.h>
 
 #include "evenmesh/mesh/measure.h"
+#include "evenmesh/mesh/whole_cell.h"
 
 namespace evenmesh {
 namespace {
@@ -45,12 +47,32 @@ double Guard::least_corner_of(std::size_t cell, Points points) const {
       orientation_.sign(cell));
 }
 
+double Guard::least_determinant_of(std::size_t cell, Points points) const {
+  const auto vertices = input_.cells().vertices(cell);
+  std::array<Vec3, 8> corners;
+  std::transform(vertices.begin(), vertices.end(), corners.begin(),
+                 [&](Index v) { return points[v]; });
+  return least_determinant(input_.cells().kind(cell), {corners.data(), vertices.size()},
+                           orientation_.sign(cell));
+}
+
+// Of a cell that is inverted before and after.
+bool Guard::is_further_over(std::size_t cell, Points points) const {
+  const double before = least_corner_of(cell, input_.points());
+  const double after = least_corner_of(cell, points);
+  const CellKind kind = input_.cells().kind(cell);
+  const bool is_between_corners =
+      before > 0.0 && after > 0.0 && (kind == CellKind::hex || kind == CellKind::wedge);
+  if (!is_between_corners) return after < before;
+  return least_determinant_of(cell, points) < least_determinant_of(cell, input_.points());
+}
+
 bool Guard::offends(const CellQuality& quality, std::size_t cell, Points points,
                     Judge judge) const {
   if (judge == Judge::nothing) return false;
   if (quality.inverted[cell]) {
     if (!quality_.inverted[cell]) return true;
-    if (least_corner_of(cell, points) < least_corner_of(cell, input_.points())) return true;
+    if (is_further_over(cell, points)) return true;
   }
   // Cells that are not inverted any more outweigh what the worst value of a tangled mesh is worth.
   if (judge == Judge::inversion || summary_.inverted > 0) return false;

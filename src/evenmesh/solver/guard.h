@@ -19,7 +19,8 @@ namespace evenmesh {
 
 /// The promise that nothing gets worse, for one input mesh:
 ///
-/// - no cell is inverted that was not in the input, and none that was has a corner further over,
+/// - no cell is inverted that was not in the input, and none that was has a corner further over or,
+///   if it is inverted between good corners, a lower determinant there,
 /// - the worst value over the mesh of every metric is at least as good as in the input, unless
 ///   the input has inverted cells: then getting rid of them comes first,
 /// - so is the mean of `shape`,
@@ -73,7 +74,9 @@ class Guard {
   class Retreat;
 
   bool offends(const CellQuality& quality, std::size_t cell, Points points, Judge judge) const;
+  bool is_further_over(std::size_t cell, Points points) const;
   double least_corner_of(std::size_t cell, Points points) const;
+  double least_determinant_of(std::size_t cell, Points points) const;
 
   const Mesh& input_;
   const Orientation& orientation_;

@@ -86,7 +86,8 @@ struct Iteration {
   double step = 0.0;            // step length along the search direction; 0 for the input
   double max_move = 0.0;        // longest move of a vertex in this step, mesh length unit
   std::size_t limited = 0;      // vertices whose step was shortened so that no cell turns over
-  std::size_t inverted = 0;     // cells with a vertex that may move
+  std::size_t inverted = 0;     // cells with a vertex that may move; by their corners alone, but
+                                // for classic methods
   int function = 0;             // costs only compare between iterates with the same number: it
                                 // rises when a penalty or multiplier has changed
   int evaluations = 0;          // of cost and gradient so far
