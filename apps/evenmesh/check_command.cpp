@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
+#include <cstddef>
 
 #include <fmt/core.h>
 
@@ -20,8 +20,8 @@ int check_command(const InputArguments& arguments, int threads, const Console& c
   print(quality_table(summary, nullptr));
 
   const std::vector<double>& shape = quality.of(Metric::shape);
-  const auto bad = static_cast<std::size_t>(
-      std::count_if(shape.begin(), shape.end(), [](double s) { return !(s > 0.0); }));
+  std::size_t bad = 0;
+  for (std::size_t c = 0; c < shape.size(); ++c) bad += quality.inverted[c] || !(shape[c] > 0.0);
   const std::vector<char> none(mesh.point_count(), 0);
   print("\nworst cells          shape\n");
   for (const NamedCell& cell :
@@ -30,7 +30,7 @@ int check_command(const InputArguments& arguments, int threads, const Console& c
                       cell.inverted ? ", inverted" : ""));
   }
   if (bad == 0) return input.inverted_by_curves == 0 ? kDone : kBelowTarget;
-  console.say(fmt::format("{} without a positive shape ({} inverted)",
+  console.say(fmt::format("{} inverted or without a positive shape ({} inverted)",
                           bad == 1 ? "1 cell is" : with_commas(bad) + " cells are",
                           with_commas(summary.inverted)));
   return kBelowTarget;

@@ -8,7 +8,7 @@
 
 #include "evenmesh/base/error.h"
 #include "evenmesh/mesh/curved_cells.h"
-#include "evenmesh/mesh/measure.h"
+#include "evenmesh/quality/metric.h"
 
 namespace evenmesh::app {
 namespace {
@@ -30,12 +30,12 @@ void find_inverted_by_curves(Input& input, const Console& console) {
   const CurvedCells curved(mesh, input.file.followers, input.orientation);
   std::string first;
   for (const std::size_t cell : curved.inverted(mesh.points())) {
-    const auto corners = mesh.cells().vertices(cell);
-    const double least = least_corner(
-        mesh.cells().kind(cell), static_cast<int>(corners.size()),
-        [&](int i) -> const Vec3& { return mesh.points()[corners[static_cast<std::size_t>(i)]]; },
-        input.orientation.up(cell), input.orientation.sign(cell));
-    if (!(least > 0.0)) continue;
+    std::vector<Vec3> corners;
+    for (const Index v : mesh.cells().vertices(cell)) corners.push_back(mesh.points()[v]);
+    if (is_inverted(mesh.cells().kind(cell), corners, input.orientation.up(cell),
+                    input.orientation.sign(cell))) {
+      continue;  // counted as such
+    }
     if (input.inverted_by_curves++ == 0) first = input.file.patch->cell_name(cell);
   }
   if (input.inverted_by_curves == 0) return;

@@ -81,6 +81,22 @@ TEST(Check, ReportsAnInvertedCellByItsNameInTheFile) {
   EXPECT_NE(outcome.out.find("face 1 (line 6)"), std::string::npos) << outcome.out;
 }
 
+TEST(Check, ReportsAHexThatIsInvertedOnlyBetweenItsCorners) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("folded.mesh",
+                                 "MeshVersionFormatted 2\nDimension 3\nVertices\n8\n"
+                                 "-5 -2 6 0\n5 6 -6 0\n13 3 5 0\n3 5 5 0\n"
+                                 "-2 -5 12 0\n15 -1 4 0\n5 3 10 0\n-5 12 9 0\n"
+                                 "Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nEnd\n");
+  const Outcome outcome = run({"check", path.string()});
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  EXPECT_NE(outcome.err.find("1 cell is inverted or without a positive shape (1 inverted)"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.out.find("hex, inverted"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("0.0000"), std::string::npos) << outcome.out;  // shape
+}
+
 TEST(Info, PrintsCountsThatAreRight) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "cube.obj";

@@ -237,9 +237,17 @@ TEST(RunReport, WithAMemberTooFewOrTooManyBreaksTheSchema) {
 TEST(WorstCells, ComeWorstFirstAndEqualOnesInTheOrderOfTheFile) {
   CellQuality quality;
   quality.values[static_cast<int>(Metric::shape)] = {0.5, 0.1, 0.9, 0.1, 0.0};
+  quality.inverted = {0, 0, 0, 0, 0};
   EXPECT_EQ(worst_cells(quality, 3), (std::vector<std::size_t>{4, 1, 3}));
   EXPECT_EQ(worst_cells(quality, 99).size(), 5u);
   EXPECT_EQ(worst_cells({}, 3).size(), 0u);
+}
+
+TEST(WorstCells, AreFirstThoseThatAreInvertedBetweenGoodCorners) {
+  CellQuality quality;
+  quality.values[static_cast<int>(Metric::shape)] = {0.5, 0.1, 0.9, 0.0};
+  quality.inverted = {0, 0, 1, 1};
+  EXPECT_EQ(worst_cells(quality, 4), (std::vector<std::size_t>{3, 2, 1, 0}));
 }
 
 TEST(Version, IsThatOfTheBuild) { EXPECT_STREQ(kVersion, EVENMESH_PROJECT_VERSION); }

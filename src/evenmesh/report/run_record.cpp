@@ -166,11 +166,13 @@ std::string to_json(const RunRecord& record) {
 
 std::vector<std::size_t> worst_cells(const CellQuality& quality, std::size_t count) {
   const std::vector<double>& shape = quality.of(Metric::shape);
+  const std::vector<char>& inverted = quality.inverted;
   std::vector<std::size_t> cells(shape.size());
   std::iota(cells.begin(), cells.end(), std::size_t{0});
   count = std::min(count, cells.size());
   std::partial_sort(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(count), cells.end(),
                     [&](std::size_t a, std::size_t b) {
+                      if (inverted[a] != inverted[b]) return inverted[a] > inverted[b];
                       return shape[a] != shape[b] ? shape[a] < shape[b] : a < b;
                     });
   cells.resize(count);

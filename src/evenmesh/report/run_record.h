@@ -80,8 +80,8 @@ inline constexpr const char* kReportSchemaVersion = "1.2";
 /// Infinite values (the edge ratio of a collapsed cell) are null, as JSON has no word for them.
 std::string to_json(const RunRecord& record);
 
-/// The `count` cells with the least `shape` after a run, the worst first; equal ones in the order
-/// of the file. Names are left empty.
+/// The `count` worst cells after a run: those that are inverted, then those with the least `shape`,
+/// the worst first; equal ones in the order of the file. Names are left empty.
 /// @return  cell numbers
 std::vector<std::size_t> worst_cells(const CellQuality& quality, std::size_t count);
 
