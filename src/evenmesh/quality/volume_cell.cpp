@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 #include "evenmesh/geometry/unit_size.h"
 
@@ -36,11 +38,13 @@ void VolumeCell::set(CellKind kind, std::span<const Vec3> points, double sign) {
 }
 
 bool VolumeCell::try_set(std::span<const Vec3> points) {
-  point_count_ = points.size();
-  std::copy(points.begin(), points.end(), points_.begin());
   const auto table = traits(kind_).corners;
   count_ = table.size();
+  point_count_ = points.size();
+  for (std::size_t i = 0; i < point_count_; ++i) points_[i] = points[i] - points[0];
   double sum = 0.0;
+  double most = 0.0;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < count_; ++i) {
     const Vec3& v = points[table[i].vertex];
     Corner& corner = corners_[i];
@@ -48,8 +52,15 @@ bool VolumeCell::try_set(std::span<const Vec3> points) {
     corner.b = points[table[i].neighbours[1]] - v;
     corner.c = points[table[i].neighbours[2]] - v;
     corner.determinant = sign_ * determinant(corner);
-    sum += corner.a.squaredNorm() + corner.b.squaredNorm() + corner.c.squaredNorm();
+    for (const Vec3* edge : {&corner.a, &corner.b, &corner.c}) {
+      const double squared_length = edge->squaredNorm();
+      sum += squared_length;
+      most = std::max(most, squared_length);
+      least = std::min(least, squared_length);
+    }
   }
+  longest_ = std::sqrt(most);
+  shortest_ = std::sqrt(least);
   if (kind_ == CellKind::hex) {
     axes_ = hex_axes(points);
     axes_.determinant = sign_ * determinant(axes_);
