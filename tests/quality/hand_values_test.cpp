@@ -15,6 +15,8 @@ using cells::Corners;
 using std::numbers::sqrt2;
 using std::numbers::sqrt3;
 
+double degrees(double angle_rad) { return angle_rad * 180.0 / std::numbers::pi; }
+
 double value(Metric metric, CellKind kind, const Corners& corners) {
   return measure(metric, kind, corners, Vec3::Zero());
 }
@@ -68,6 +70,11 @@ TEST(CornerOfACube, HasTheValuesWorkedOutByHand) {
   EXPECT_NEAR(value(Metric::shape, CellKind::tet, tet), 6 * std::cbrt(2.0) / 9, 1e-14);
   // The longest triple of edges: 1 x sqrt(2) x sqrt(2).
   EXPECT_NEAR(value(Metric::scaled_jacobian, CellKind::tet, tet), sqrt2 / 2, 1e-14);
+  EXPECT_NEAR(value(Metric::min_angle, CellKind::tet, tet), degrees(std::acos(1 / sqrt3)), 1e-12);
+  EXPECT_NEAR(value(Metric::max_angle, CellKind::tet, tet), 90.0, 1e-12);
+  // Surface (3 + sqrt(3)) / 2, volume 1/6: sqrt(2) (3 + sqrt(3)) / 2 / sqrt(6).
+  EXPECT_NEAR(value(Metric::aspect_ratio, CellKind::tet, tet), (1 + sqrt3) / 2, 1e-14);
+  EXPECT_NEAR(value(Metric::edge_ratio, CellKind::tet, tet), sqrt2, 1e-14);
 }
 
 TEST(Box1By2By4, HasTheValuesWorkedOutByHand) {
@@ -75,6 +82,34 @@ TEST(Box1By2By4, HasTheValuesWorkedOutByHand) {
   for (Vec3& p : box) p = p.cwiseProduct(Vec3(1, 2, 4));
   EXPECT_NEAR(value(Metric::shape, CellKind::hex, box), 3.0 * 4 / 21, 1e-14);  // J = 8
   EXPECT_DOUBLE_EQ(value(Metric::scaled_jacobian, CellKind::hex, box), 1.0);
+  EXPECT_DOUBLE_EQ(value(Metric::min_angle, CellKind::hex, box), 90.0);
+  EXPECT_DOUBLE_EQ(value(Metric::max_angle, CellKind::hex, box), 90.0);
+  EXPECT_DOUBLE_EQ(value(Metric::aspect_ratio, CellKind::hex, box), 4.0 * 28 / (6 * 8));
+  EXPECT_DOUBLE_EQ(value(Metric::edge_ratio, CellKind::hex, box), 4.0);
+}
+
+TEST(CubeWithACornerPulledUp, HasTwoAnglesAtTheEdgesOfItsWarpedFace) {
+  // From vertex 6 at (1, 1, 2) edges go to (1, 0, 1), (0, 1, 1) and straight down. About either of
+  // the upper two the faces make acos(1 / sqrt(3)) there, and 90 degrees at the other end.
+  Corners cube = cells::ideal(CellKind::hex);
+  cube[6] = Vec3(1, 1, 2);
+  EXPECT_NEAR(value(Metric::min_angle, CellKind::hex, cube), degrees(std::acos(1 / sqrt3)), 1e-12);
+  // About the edge from vertex 5 to 4: between straight down and 45 degrees up.
+  EXPECT_NEAR(value(Metric::max_angle, CellKind::hex, cube), 135.0, 1e-12);
+  // The faces beside vertex 6: one of vector area |(-1, -1, 2)| / 2 and two of 3/2; the volume is
+  // the integral of 1 + x y.
+  EXPECT_NEAR(value(Metric::aspect_ratio, CellKind::hex, cube),
+              2 * (1 + 2 * 1 + 2 * 1.5 + std::sqrt(6.0) / 2) / (6 * 1.25), 1e-14);
+  EXPECT_NEAR(value(Metric::edge_ratio, CellKind::hex, cube), 2.0, 1e-14);
+}
+
+TEST(WallLayerCell, HasAnAspectRatioThatGrowsAsItGetsThinner) {
+  for (const double height : {1e-1, 1e-2, 1e-4, 1e-8}) {
+    Corners slab = cells::ideal(CellKind::hex);
+    for (Vec3& p : slab) p[2] *= height;
+    const double expected = (2 + 4 * height) / (6 * height);
+    EXPECT_NEAR(value(Metric::aspect_ratio, CellKind::hex, slab), expected, 1e-14 * expected);
+  }
 }
 
 TEST(TallWedge, HasTheValuesWorkedOutByHand) {
@@ -83,6 +118,12 @@ TEST(TallWedge, HasTheValuesWorkedOutByHand) {
   // T = diag(1, 1, 8) up to rotation: 3 x 8^(2/3) / (1 + 1 + 64)
   EXPECT_NEAR(value(Metric::shape, CellKind::wedge, wedge), 12.0 / 66, 1e-14);
   EXPECT_NEAR(value(Metric::scaled_jacobian, CellKind::wedge, wedge), 1.0, 1e-14);
+  EXPECT_NEAR(value(Metric::min_angle, CellKind::wedge, wedge), 60.0, 1e-12);
+  EXPECT_NEAR(value(Metric::max_angle, CellKind::wedge, wedge), 90.0, 1e-12);
+  // Two triangles of sqrt(3) / 4 and three rectangles of 8; volume 2 sqrt(3).
+  EXPECT_NEAR(value(Metric::aspect_ratio, CellKind::wedge, wedge),
+              8 * (sqrt3 / 2 + 24) / ((2 + 4 * sqrt3) * 2 * sqrt3), 1e-14);
+  EXPECT_NEAR(value(Metric::edge_ratio, CellKind::wedge, wedge), 8.0, 1e-14);
 }
 
 TEST(TallPyramid, HasTheValuesWorkedOutByHand) {
@@ -91,6 +132,16 @@ TEST(TallPyramid, HasTheValuesWorkedOutByHand) {
   EXPECT_NEAR(value(Metric::shape, CellKind::pyramid, pyramid), 12.0 / 66, 1e-14);
   EXPECT_NEAR(value(Metric::scaled_jacobian, CellKind::pyramid, pyramid), 8.0 / std::pow(32.5, 1.5),
               1e-14);
+  // The base makes atan(16 / sqrt(2)) with a side; two sides whose outer normals are (0, -h, 1/2)
+  // and (h, 0, 1/2), h^2 = 32, make acos(-1 / 129).
+  EXPECT_NEAR(value(Metric::min_angle, CellKind::pyramid, pyramid), degrees(std::atan(8.0 * sqrt2)),
+              1e-12);
+  EXPECT_NEAR(value(Metric::max_angle, CellKind::pyramid, pyramid), degrees(std::acos(-1.0 / 129)),
+              1e-12);
+  // A square of 1 and four triangles of sqrt(32.25) / 2; volume 8 / (3 sqrt(2)).
+  EXPECT_NEAR(value(Metric::aspect_ratio, CellKind::pyramid, pyramid),
+              std::sqrt(32.5) * (1 + std::sqrt(129.0)) / (8 * (1 + sqrt3)), 1e-14);
+  EXPECT_NEAR(value(Metric::edge_ratio, CellKind::pyramid, pyramid), std::sqrt(32.5), 1e-14);
 }
 
 TEST(Needle, HasItsAngleToFullPrecision) {
@@ -99,6 +150,14 @@ TEST(Needle, HasItsAngleToFullPrecision) {
   const double expected = 1e-12 * 180.0 / std::numbers::pi;
   EXPECT_NEAR(value(Metric::min_angle, CellKind::triangle, needle), expected, 1e-12 * expected);
   EXPECT_NEAR(value(Metric::shape, CellKind::triangle, needle), 4 * sqrt3 * 0.5e-12 / 2, 1e-24);
+}
+
+TEST(FlatTet, HasItsAngleToFullPrecision) {
+  // The apex 1e-12 above the middle of its base, which is sqrt(3) / 6 away from the edges.
+  Corners tet = cells::ideal(CellKind::tet);
+  tet[3][2] = 1e-12;
+  const double expected = degrees(1e-12 * 6 / sqrt3);
+  EXPECT_NEAR(value(Metric::min_angle, CellKind::tet, tet), expected, 1e-12 * expected);
 }
 
 }  // namespace

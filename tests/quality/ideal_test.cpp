@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +22,24 @@ TEST(IdealCell, HasShapeAndScaledJacobianOne) {
           << cells::describe(metric, kind);
     }
     EXPECT_FALSE(is_inverted(kind, cells::ideal(kind), cells::kUp)) << traits(kind).name;
+  }
+}
+
+TEST(IdealVolumeCell, HasTheAnglesOfTheRegularSolidAndRatiosOne) {
+  const auto acos_degrees = [](double x) { return std::acos(x) * 180.0 / std::numbers::pi; };
+  const std::map<CellKind, std::pair<double, double>> angles = {
+      {CellKind::tet, {acos_degrees(1.0 / 3), acos_degrees(1.0 / 3)}},
+      {CellKind::hex, {90.0, 90.0}},
+      {CellKind::wedge, {60.0, 90.0}},
+      {CellKind::pyramid, {acos_degrees(1 / std::numbers::sqrt3), acos_degrees(-1.0 / 3)}}};
+  for (const auto& [kind, range] : angles) {
+    const auto value = [k = kind](Metric m) {
+      return measure(m, k, cells::ideal(k), Vec3::Zero());
+    };
+    EXPECT_NEAR(value(Metric::min_angle), range.first, 1e-12) << traits(kind).name;
+    EXPECT_NEAR(value(Metric::max_angle), range.second, 1e-12) << traits(kind).name;
+    EXPECT_NEAR(value(Metric::aspect_ratio), 1.0, 1e-14) << traits(kind).name;
+    EXPECT_NEAR(value(Metric::edge_ratio), 1.0, 1e-14) << traits(kind).name;
   }
 }
 

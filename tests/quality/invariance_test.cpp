@@ -95,6 +95,19 @@ TEST(Measures, DoNotDependOnWhichVertexIsTheFirst) {
   }
 }
 
+TEST(AnglesAndRatios, OfVolumeCellsStayWhenTheCellIsTurnedOver) {
+  for (const CellKind kind : {CellKind::tet, CellKind::hex, CellKind::wedge, CellKind::pyramid}) {
+    for (const Corners& cell : specimens(kind)) {
+      for (const Metric metric :
+           {Metric::min_angle, Metric::max_angle, Metric::aspect_ratio, Metric::edge_ratio}) {
+        EXPECT_EQ(measure(metric, kind, cells::mirrored(cell), Vec3::Zero()),
+                  measure(metric, kind, cell, Vec3::Zero()))
+            << cells::describe(metric, kind);
+      }
+    }
+  }
+}
+
 TEST(Measures, OfSurfaceCellsIgnoreTheWindingWithoutUp) {
   for (const CellKind kind : {CellKind::triangle, CellKind::quad, CellKind::polygon}) {
     for (const Corners& cell : specimens(kind)) {

@@ -20,11 +20,9 @@ TEST(Metric, HasTheNameOfReports) {
   EXPECT_EQ(name(Metric::edge_ratio), "edge_ratio");
 }
 
-TEST(Metric, AppliesToVolumeCellsIfShapeOrScaledJacobian) {
+TEST(Metric, AppliesToCellsOfEveryKind) {
   for (const Metric metric : kMetrics) {
-    EXPECT_TRUE(applies(metric, CellKind::polygon));
-    EXPECT_EQ(applies(metric, CellKind::wedge),
-              metric == Metric::shape || metric == Metric::scaled_jacobian);
+    for (int k = 0; k < kCellKinds; ++k) EXPECT_TRUE(applies(metric, static_cast<CellKind>(k)));
   }
 }
 

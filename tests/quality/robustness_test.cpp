@@ -21,7 +21,6 @@ void expect_worst(CellKind kind, const Corners& cell, const std::string& what) {
     EXPECT_TRUE(is_inverted(kind, cell, up)) << what;
     EXPECT_EQ(of(Metric::shape), 0.0) << what;
     EXPECT_EQ(of(Metric::scaled_jacobian), 0.0) << what;
-    if (traits(kind).dimension == 3) continue;
     EXPECT_EQ(of(Metric::min_angle), 0.0) << what;
     EXPECT_EQ(of(Metric::max_angle), 180.0) << what;
     EXPECT_EQ(of(Metric::aspect_ratio), kInfinity) << what;
@@ -73,6 +72,41 @@ TEST(Quad, WithARepeatedVertexIsInverted) {
   EXPECT_TRUE(is_inverted(CellKind::quad, quad, cells::kUp));
   EXPECT_EQ(measure(Metric::shape, CellKind::quad, quad, cells::kUp), 0.0);
   EXPECT_EQ(measure(Metric::edge_ratio, CellKind::quad, quad, cells::kUp), kInfinity);
+}
+
+TEST(Tet, ThatIsFlatHasAnEdgeRatioOnly) {
+  // One with a vertex inside the triangle of the others, one with crossing diagonals.
+  for (const Corners& flat : {Corners{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, 0}},
+                              Corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}) {
+    const auto of = [&](Metric m) { return measure(m, CellKind::tet, flat, Vec3::Zero()); };
+    EXPECT_EQ(of(Metric::shape), 0.0);
+    EXPECT_EQ(of(Metric::min_angle), 0.0);
+    EXPECT_EQ(of(Metric::max_angle), 180.0);
+    EXPECT_EQ(of(Metric::aspect_ratio), kInfinity);
+    EXPECT_LT(of(Metric::edge_ratio), kInfinity);
+  }
+}
+
+TEST(VolumeCell, WithARepeatedVertexHasTheWorstAnglesAndEdgeRatio) {
+  for (const CellKind kind : {CellKind::tet, CellKind::hex, CellKind::wedge, CellKind::pyramid}) {
+    for (const auto [a, b] : traits(kind).edges) {
+      Corners cell = cells::ideal(kind);
+      cell[b] = cell[a];
+      const auto of = [&](Metric m) { return measure(m, kind, cell, Vec3::Zero()); };
+      EXPECT_EQ(of(Metric::min_angle), 0.0) << traits(kind).name;
+      EXPECT_EQ(of(Metric::max_angle), 180.0) << traits(kind).name;
+      EXPECT_EQ(of(Metric::edge_ratio), kInfinity) << traits(kind).name;
+      const bool is_flat = kind == CellKind::tet || (kind == CellKind::pyramid && b == 4);
+      EXPECT_EQ(of(Metric::aspect_ratio) == kInfinity, is_flat) << traits(kind).name;
+    }
+  }
+}
+
+TEST(Hex, WithAStraightCornerInAFaceHasTheWorstAngles) {
+  Corners cell = cells::ideal(CellKind::hex);
+  cell[6] = 0.5 * (cell[5] + cell[7]);
+  EXPECT_EQ(measure(Metric::min_angle, CellKind::hex, cell, Vec3::Zero()), 0.0);
+  EXPECT_EQ(measure(Metric::max_angle, CellKind::hex, cell, Vec3::Zero()), 180.0);
 }
 
 void expect_in_range(Metric metric, CellKind kind, double value) {

@@ -4,10 +4,16 @@
 #include <limits>
 
 namespace evenmesh {
+namespace {
 
-double edge_ratio(const SurfaceCell& cell) {
-  if (!(cell.shortest() > 0.0)) return std::numeric_limits<double>::infinity();
-  return cell.longest() / cell.shortest();
+double ratio(double longest, double shortest) {
+  return shortest > 0.0 ? longest / shortest : std::numeric_limits<double>::infinity();
 }
+
+}  // namespace
+
+double edge_ratio(const SurfaceCell& cell) { return ratio(cell.longest(), cell.shortest()); }
+
+double edge_ratio(const VolumeCell& cell) { return ratio(cell.longest(), cell.shortest()); }
 
 }  // namespace evenmesh

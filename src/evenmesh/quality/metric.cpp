@@ -7,6 +7,7 @@
 
 #include "evenmesh/quality/angles.h"
 #include "evenmesh/quality/aspect_ratio.h"
+#include "evenmesh/quality/dihedral_angles.h"
 #include "evenmesh/quality/edge_ratio.h"
 #include "evenmesh/quality/inverted.h"
 #include "evenmesh/quality/scaled_jacobian.h"
@@ -23,14 +24,15 @@ struct Row {
 
 constexpr std::array<Row, kMetricCount> kTable = {{{"shape", true, true},
                                                    {"scaled_jacobian", true, true},
-                                                   {"min_angle", true, false},
-                                                   {"max_angle", false, false},
-                                                   {"aspect_ratio", false, false},
-                                                   {"edge_ratio", false, false}}};
+                                                   {"min_angle", true, true},
+                                                   {"max_angle", false, true},
+                                                   {"aspect_ratio", false, true},
+                                                   {"edge_ratio", false, true}}};
 
 const Row& row(Metric metric) { return kTable[static_cast<std::size_t>(metric)]; }
 
-double measure_surface(Metric metric, const SurfaceCell& cell) {
+template <typename Cell>
+double measure_one(Metric metric, const Cell& cell) {
   switch (metric) {
     case Metric::shape:
       return shape(cell);
@@ -69,11 +71,11 @@ double measure(Metric metric, CellKind kind, std::span<const Vec3> corners, cons
   if (traits(kind).dimension == 3) {
     VolumeCell cell;
     cell.set(kind, corners, sign);
-    return metric == Metric::shape ? shape(cell) : scaled_jacobian(cell);
+    return measure_one(metric, cell);
   }
   SurfaceCell cell;
   cell.set(corners, up);
-  return measure_surface(metric, cell);
+  return measure_one(metric, cell);
 }
 
 bool is_inverted(CellKind kind, std::span<const Vec3> corners, const Vec3& up, double sign) {

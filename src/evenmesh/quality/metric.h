@@ -16,8 +16,8 @@ namespace evenmesh {
 enum class Metric : std::uint8_t {
   shape,            // inverse mean ratio, [0, 1], 1 ideal, 0 degenerate or inverted
   scaled_jacobian,  // least corner determinant over its edge lengths, [-1, 1], 1 ideal
-  min_angle,        // smallest angle in degrees
-  max_angle,        // largest angle in degrees
+  min_angle,        // smallest angle in degrees: between sides, in volume cells between faces
+  max_angle,        // largest of the same
   aspect_ratio,     // >= 1, 1 ideal, infinite when degenerate
   edge_ratio        // longest over shortest edge, >= 1, infinite when degenerate
 };
@@ -29,7 +29,7 @@ inline constexpr std::array<Metric, kMetricCount> kMetrics = {
 
 std::string_view name(Metric metric);  // the key in reports: "scaled_jacobian"
 bool larger_is_better(Metric metric);
-bool applies(Metric metric, CellKind kind);  // volume cells have shape and scaled_jacobian
+bool applies(Metric metric, CellKind kind);  // true: all of the above apply to every kind
 
 /// True when a is a worse value of the metric than b. Never true for equal values; NaN is worse
 /// than every number.

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 
 #include "evenmesh/quality/angles.h"
 #include "evenmesh/quality/aspect_ratio.h"
+#include "evenmesh/quality/dihedral_angles.h"
 #include "evenmesh/quality/edge_ratio.h"
 #include "evenmesh/quality/inverted.h"
 #include "evenmesh/quality/scaled_jacobian.h"
@@ -17,8 +17,6 @@
 
 namespace evenmesh {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Measures one cell after the other and writes to that cell's places only.
 class CellMeter {
@@ -31,9 +29,13 @@ class CellMeter {
     corners_.clear();
     for (const Index v : cells_.vertices(i)) corners_.push_back(points_[v]);
     if (traits(kind).dimension == 3) {
-      measure_volume(i, kind);
+      volume_.set(kind, corners_, orientation_.sign(i));
+      write_values(i, volume_);
+      quality_.inverted[i] = is_inverted(volume_);
     } else {
-      measure_surface(i, kind);
+      surface_.set(corners_, orientation_.up(i));
+      write_values(i, surface_);
+      quality_.inverted[i] = is_inverted(kind, surface_);
     }
   }
 
@@ -42,24 +44,15 @@ class CellMeter {
     return quality_.values[static_cast<std::size_t>(metric)][i];
   }
 
-  void measure_surface(std::size_t i, CellKind kind) {
-    surface_.set(corners_, orientation_.up(i));
-    const AngleRange angles = angle_range(surface_);
-    value(Metric::shape, i) = shape(surface_);
-    value(Metric::scaled_jacobian, i) = scaled_jacobian(surface_);
+  template <typename Cell>
+  void write_values(std::size_t i, const Cell& cell) {
+    const AngleRange angles = angle_range(cell);
+    value(Metric::shape, i) = shape(cell);
+    value(Metric::scaled_jacobian, i) = scaled_jacobian(cell);
     value(Metric::min_angle, i) = angles.min;
     value(Metric::max_angle, i) = angles.max;
-    value(Metric::aspect_ratio, i) = aspect_ratio(surface_);
-    value(Metric::edge_ratio, i) = edge_ratio(surface_);
-    quality_.inverted[i] = is_inverted(kind, surface_);
-  }
-
-  void measure_volume(std::size_t i, CellKind kind) {
-    volume_.set(kind, corners_, orientation_.sign(i));
-    for (auto& values : quality_.values) values[i] = kNone;
-    value(Metric::shape, i) = shape(volume_);
-    value(Metric::scaled_jacobian, i) = scaled_jacobian(volume_);
-    quality_.inverted[i] = is_inverted(volume_);
+    value(Metric::aspect_ratio, i) = aspect_ratio(cell);
+    value(Metric::edge_ratio, i) = edge_ratio(cell);
   }
 
   const Cells& cells_;
