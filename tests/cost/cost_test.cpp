@@ -220,6 +220,38 @@ TEST(Shape, IsTheInverseOfTheMetricWhereAllCornersAreAlike) {
   }
 }
 
+TEST(Shape, CountsThePowerOfTheInverseForAnExponent) {
+  for (const CellKind kind : {CellKind::triangle, CellKind::tet}) {
+    const Sample sample = disturbed(kind, traits(kind).vertices, 0.3);
+    const double u = value(Shape(), sample, sample.points) + inverse_of(1.0);
+    const double expected = (std::pow(u, 5) - std::pow(inverse_of(1.0), 5)) / 5.0;
+    EXPECT_NEAR(value(Shape(5), sample, sample.points), expected, 1e-12 * expected);
+  }
+}
+
+TEST(Shape, HasTheGradientOfItsValueForAnExponent) {
+  const Shape cost(8);
+  for (const Sample& sample : samples(0.1)) {
+    std::vector<Vec3> gradient(sample.points.size(), Vec3::Zero());
+    cost.evaluate(sample.block(), sample.points, 1.0, gradient);
+    std::vector<Vec3> x = sample.points;
+    for (std::size_t v = 0; v < x.size(); ++v) {
+      for (int axis = 0; axis < 3; ++axis) {
+        constexpr double h = 1e-6;
+        const double at = x[v][axis];
+        x[v][axis] = at + h;
+        const double after = value(cost, sample, x);
+        x[v][axis] = at - h;
+        const double before = value(cost, sample, x);
+        x[v][axis] = at;
+        EXPECT_NEAR(gradient[v][axis], (after - before) / (2.0 * h),
+                    1e-6 * std::max(1.0, std::abs(gradient[v][axis])))
+            << traits(sample.kind).name;
+      }
+    }
+  }
+}
+
 TEST(Shape, IsZeroForIdealCellsOfAnySize) {
   for (Sample sample : samples(0.0)) {
     for (Vec3& p : sample.points) p *= 1e-7;

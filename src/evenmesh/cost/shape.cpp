@@ -7,6 +7,7 @@
 
 #include "evenmesh/cost/edges.h"
 #include "evenmesh/mesh/determinants.h"
+#include "evenmesh/mesh/ideal_norm.h"
 
 namespace evenmesh {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 constexpr double kDelta = 0.05;
 
 struct Inverse {
-  double value;  // 1 / chi(t) - 1 / chi(1)
+  double value;  // (1 / chi(t)^p - 1 / chi(1)^p) / p
   double slope;
 };
 
@@ -24,11 +25,22 @@ double inverse_of_chi(double t, double root) {
   return t > 0.0 ? 2.0 / (t + root) : 2.0 * (root - t) / (kDelta * kDelta);
 }
 
-Inverse inverse(double t) {
-  static const double kIdeal = inverse_of_chi(1.0, std::sqrt(1.0 + kDelta * kDelta));
+double power(double base, int exponent) {
+  double result = 1.0;
+  for (; exponent > 0; exponent /= 2, base *= base) {
+    if (exponent % 2 == 1) result *= base;
+  }
+  return result;
+}
+
+const double kIdeal = inverse_of_chi(1.0, std::sqrt(1.0 + kDelta * kDelta));
+
+inline Inverse inverse(double t, int exponent) {
   const double root = std::sqrt(t * t + kDelta * kDelta);
   const double value = inverse_of_chi(t, root);
-  return {value - kIdeal, -value / root};
+  if (exponent == 1) return {value - kIdeal, -value / root};
+  const double raised = power(value, exponent);
+  return {(raised - power(kIdeal, exponent)) / exponent, -raised / root};
 }
 
 // Squares of edges shorter than this would leave the range of doubles.
@@ -38,6 +50,7 @@ constexpr double kLeastNorm = 1e-280;
 struct SurfaceCorner {
   PlaneCorner corner;
   double sine, cosine;
+  int exponent;
 
   double norm() const {
     return corner.p.squaredNorm() + corner.q.squaredNorm() - 2.0 * cosine * corner.p.dot(corner.q);
@@ -45,9 +58,9 @@ struct SurfaceCorner {
 
   double add(double weight, std::span<Vec3> gradient) const {
     const double n = norm();
-    if (!(n > kLeastNorm)) return weight * inverse(0.0).value;
+    if (!(n > kLeastNorm)) return weight * inverse(0.0, exponent).value;
     const double t = 2.0 * sine * corner.determinant() / n;
-    const auto [value, slope] = inverse(t);
+    const auto [value, slope] = inverse(t, exponent);
     if (gradient.empty()) return weight * value;
     const double factor = weight * slope / n;
     corner.add_gradient(2.0 * sine * factor, gradient);
@@ -61,46 +74,15 @@ struct SurfaceCorner {
   }
 };
 
-/// |T|^2 at a corner of a volume cell and half its derivatives with respect to the edges there; the
-/// factor between det T and the determinant of the edges.
-struct Norm {
-  double value;
-  double factor;
-  Vec3 by_p, by_q, by_r;
-};
-
-Norm norm_of(CellKind kind, const SpaceCorner& c) {
-  const auto& [p, q, r] = std::tie(c.p, c.q, c.r);
-  switch (kind) {
-    case CellKind::tet: {
-      const Vec3 a = 1.5 * p - 0.5 * (q + r);
-      const Vec3 b = 1.5 * q - 0.5 * (r + p);
-      const Vec3 d = 1.5 * r - 0.5 * (p + q);
-      return {a.dot(p) + b.dot(q) + d.dot(r), std::numbers::sqrt2, a, b, d};
-    }
-    case CellKind::wedge: {  // p and q span the triangle
-      const Vec3 a = 4.0 / 3.0 * (p - 0.5 * q);
-      const Vec3 b = 4.0 / 3.0 * (q - 0.5 * p);
-      return {a.dot(p) + b.dot(q) + r.squaredNorm(), 2.0 / std::numbers::sqrt3, a, b, r};
-    }
-    case CellKind::pyramid: {  // r leads to the apex
-      const Vec3 rise = r - 0.5 * (p + q);
-      return {p.squaredNorm() + q.squaredNorm() + 2.0 * rise.squaredNorm(), std::numbers::sqrt2,
-              p - rise, q - rise, 2.0 * rise};
-    }
-    default:
-      return {p.squaredNorm() + q.squaredNorm() + r.squaredNorm(), 1.0, p, q, r};
-  }
-}
-
-double add_volume_corner(CellKind kind, const SpaceCorner& corner, double weight,
+template <CellKind kind>
+double add_volume_corner(const SpaceCorner& corner, int exponent, double weight,
                          std::span<Vec3> gradient) {
-  const Norm norm = norm_of(kind, corner);
-  if (!(norm.value > kLeastNorm)) return weight * inverse(0.0).value;
+  const IdealNorm norm = ideal_norm<kind>(corner);
+  if (!(norm.value > kLeastNorm)) return weight * inverse(0.0, exponent).value;
   constexpr double kRoot27 = 3.0 * std::numbers::sqrt3;
   const double scale = kRoot27 * norm.factor / (norm.value * std::sqrt(norm.value));
   const double t = scale * corner.determinant();
-  const auto [value, slope] = inverse(t);
+  const auto [value, slope] = inverse(t, exponent);
   if (gradient.empty()) return weight * value;
   corner.add_gradient(weight * slope * scale, gradient);
   const double by_norm = -3.0 * weight * slope * t / norm.value;
@@ -112,7 +94,8 @@ double add_volume_corner(CellKind kind, const SpaceCorner& corner, double weight
 }
 
 /// The corners of surface cells; about their own normal where there is no up.
-double evaluate_surface(const CellBlock& cells, Points x, double weight, std::span<Vec3> gradient) {
+double evaluate_surface(const CellBlock& cells, Points x, int exponent, double weight,
+                        std::span<Vec3> gradient) {
   const auto n = static_cast<std::size_t>(cells.vertices_per_cell);
   const double angle = (1.0 - 2.0 / static_cast<double>(n)) * std::numbers::pi;
   const double sine = std::sin(angle);
@@ -126,20 +109,22 @@ double evaluate_surface(const CellBlock& cells, Points x, double weight, std::sp
     for (std::size_t k = 0; k < corners; ++k) {
       PlaneCorner corner(cell[k], cell[(k + 1) % n], cell[(k + n - 1) % n], x, up);
       if (up.isZero(0.0)) corner.up = corner.p.cross(corner.q).stableNormalized();
-      sum += SurfaceCorner{corner, sine, cosine}.add(each, gradient);
+      sum += SurfaceCorner{corner, sine, cosine, exponent}.add(each, gradient);
     }
   }
   return sum;
 }
 
-double evaluate_volume(const CellBlock& cells, Points x, double weight, std::span<Vec3> gradient) {
-  const double each = weight / static_cast<double>(determinants_of(cells.kind));
+template <CellKind kind>
+double evaluate_volume(const CellBlock& cells, Points x, int exponent, double weight,
+                       std::span<Vec3> gradient) {
+  const double each = weight / static_cast<double>(determinants_of(kind));
   double sum = 0.0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    for_determinants(cells.kind, cells.cell(i), x, Vec3::Zero(), cells.sign(i),
+    for_determinants(kind, cells.cell(i), x, Vec3::Zero(), cells.sign(i),
                      [&](std::uint32_t, const auto& corner) {
                        if constexpr (std::is_same_v<decltype(corner), const SpaceCorner&>) {
-                         sum += add_volume_corner(cells.kind, corner, each, gradient);
+                         sum += add_volume_corner<kind>(corner, exponent, each, gradient);
                        }
                      });
   }
@@ -150,10 +135,12 @@ double evaluate_volume(const CellBlock& cells, Points x, double weight, std::spa
 
 double Shape::evaluate(const CellBlock& cells, Points x, double weight,
                        std::span<Vec3> gradient) const {
-  const bool is_volume = traits(cells.kind).dimension == 3;
-  if (!is_volume && cells.in_volume()) return 0.0;
-  return is_volume ? evaluate_volume(cells, x, weight, gradient)
-                   : evaluate_surface(cells, x, weight, gradient);
+  if (traits(cells.kind).dimension == 3) {
+    return with_volume_kind(cells.kind, [&](auto kind) {
+      return evaluate_volume<kind()>(cells, x, exponent_, weight, gradient);
+    });
+  }
+  return cells.in_volume() ? 0.0 : evaluate_surface(cells, x, exponent_, weight, gradient);
 }
 
 // 1 / t is |T|^d over the determinant. With the determinant held, it curves like springs along the

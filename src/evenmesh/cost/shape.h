@@ -8,8 +8,8 @@ namespace evenmesh {
 /// Makes every cell as like its ideal one as it can be, whatever its size: the inverse of what the
 /// metric `shape` measures.
 ///
-///   f(x) = sum over cells of the mean over their corners k of  1 / chi(t_k) - 1 / chi(1),
-///   t_k  = (d / |T|^2)^(d/2) det T,   T = A W^-1,   chi(t) = (t + sqrt(t^2 + delta^2)) / 2
+///   f(x) = sum over cells of the mean over their corners k of  (1 / chi(t_k)^p - 1 / chi(1)^p) /
+///   p, t_k  = (d / |T|^2)^(d/2) det T,   T = A W^-1,   chi(t) = (t + sqrt(t^2 + delta^2)) / 2
 ///
 /// A has the edges at the corner, W those of the ideal cell; d is the dimension of the cell. t is 1
 /// for the ideal corner and shape^(d/2) for others, negative where the corner is turned over. There
@@ -17,17 +17,25 @@ namespace evenmesh {
 /// turned over far is better untangled first. Knows no lengths, so sizes follow from
 /// what is fixed. Triangles and tets have the same t at every corner.
 ///
+/// The greater the exponent p, the more the worst cells count; as p grows the minimiser becomes
+/// the mesh whose worst cell is best.
+///
 /// On a surface the determinant is that about the cell's up direction, in a volume mesh surface
 /// cells count nothing.
 /// @see   Knupp, "Algebraic mesh quality metrics", SIAM J. Sci. Comput. 23 (2001): mean ratio;
 ///        chi as in Escobar et al., Comput. Methods Appl. Mech. Eng. 192 (2003)
 class Shape final : public Cost {
  public:
+  /// @param exponent  p, from 1 to 32
+  explicit Shape(int exponent = 1) : exponent_(exponent) {}
   std::string_view name() const override { return "shape"; }
   double evaluate(const CellBlock& cells, Points x, double weight,
                   std::span<Vec3> gradient) const override;
   void add_springs(const CellBlock& cells, Points x, std::vector<Spring>& springs) const override;
   bool wants_valid_cells() const override { return true; }
+
+ private:
+  int exponent_;
 };
 
 }  // namespace evenmesh

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "evenmesh/mesh/determinants.h"
+#include "evenmesh/mesh/ideal_norm.h"
 #include "evenmesh/mesh/measure.h"
 #include "evenmesh/quality/metric.h"
 
@@ -31,6 +33,22 @@ double shape_bound_of_quad(Points x, std::span<const Index> q, const Vec3& up) {
   return least;
 }
 
+// Whether shape = 3 (det T)^(2/3) / |T|^2 is greater at all corners of a volume cell, without
+// roots.
+template <CellKind kind>
+bool volume_exceeds(Points x, std::span<const Index> cell, double sign, double shape) {
+  bool all = true;
+  for_determinants(kind, cell, x, Vec3::Zero(), sign, [&](std::uint32_t, const auto& corner) {
+    if constexpr (std::is_same_v<decltype(corner), const SpaceCorner&>) {
+      const IdealNorm norm = ideal_norm<kind>(corner);
+      const double determinant = norm.factor * corner.determinant();
+      const double bound = shape * norm.value / 3.0;
+      all = all && determinant > 0.0 && determinant * determinant > bound * bound * bound;
+    }
+  });
+  return all;
+}
+
 }  // namespace
 
 struct Flips::Cell {
@@ -51,16 +69,19 @@ struct Flips::Cell {
     return measure(Metric::shape, kind, corners, up, sign);
   }
 
-  // Quick and never greater than shape_at() (NaN for a cell without size); 0 if there is no such.
-  double shape_bound_at(Points x) const {
-    if (kind == CellKind::triangle) return shape_bound_of_triangle(x, vertices, up);
-    if (kind == CellKind::quad) return shape_bound_of_quad(x, vertices, up);
-    return 0.0;
+  // Quick; true only if shape_at() is greater than that and the cell not inverted. Always false for
+  // polygons.
+  bool clearly_exceeds(double shape, Points x) const {
+    if (kind == CellKind::triangle) return shape_bound_of_triangle(x, vertices, up) > shape;
+    if (kind == CellKind::quad) return shape_bound_of_quad(x, vertices, up) > shape;
+    if (kind == CellKind::polygon) return false;
+    return with_volume_kind(kind,
+                            [&](auto k) { return volume_exceeds<k()>(x, vertices, sign, shape); });
   }
 };
 
 bool Flips::offends(const Cell& cell, Points x, Points x_new) const {
-  if (cell.shape_bound_at(x_new) > least_shape_) return false;
+  if (cell.clearly_exceeds(least_shape_, x_new)) return false;
   const double after = cell.least_corner_at(x_new);
   if (after > 0.0) return least_shape_ > 0.0 && cell.shape_at(x_new) < least_shape_;
   const double before = cell.least_corner_at(x);
