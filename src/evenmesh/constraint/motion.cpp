@@ -235,18 +235,23 @@ void Motion::start_from(Workers& workers, Points x_0, Points x) {
   start_ = std::move(places);
 }
 
-Motion Motion::renumbered(std::span<const Index> order) const {
+Motion Motion::selected(std::span<const Index> vertices) const {
   Motion result;
   result.common_normal_ = common_normal_;
-  result.freedom_.reserve(order.size());
-  for (const Index v : order) result.freedom_.push_back(freedom_[v]);
-  for (Index k = 0; k < order.size() && !slot_.empty(); ++k) {
-    const std::uint32_t old = slot_[order[k]];
+  result.freedom_.reserve(vertices.size());
+  for (const Index v : vertices) result.freedom_.push_back(freedom_[v]);
+  for (Index k = 0; k < vertices.size() && !slot_.empty(); ++k) {
+    const std::uint32_t old = slot_[vertices[k]];
     if (old == kNone) continue;
     const std::uint32_t own = result.own_slot(k);
     result.tracks_[own] = tracks_[old];
     result.start_[own] = start_[old];
   }
+  return result;
+}
+
+Motion Motion::renumbered(std::span<const Index> order) const {
+  Motion result = selected(order);
   if (leader_.empty()) return result;
   std::vector<Index> number(order.size());
   for (Index k = 0; k < order.size(); ++k) number[order[k]] = k;

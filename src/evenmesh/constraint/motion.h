@@ -125,7 +125,9 @@ class Motion {
   /// Lets the start be where vertices are after moves from x_0, the start so far, to x.
   void start_from(Workers& workers, Points x_0, Points x);
 
-  /// The same for vertices in another order: vertex k of the result is order[k] here.
+  /// The same for some vertices: vertex k of the result is vertices[k] here. Knows no ties.
+  Motion selected(std::span<const Index> vertices) const;
+  /// The same for all vertices in another order: vertex k of the result is order[k] here.
   Motion renumbered(std::span<const Index> order) const;
 
  private:

@@ -141,6 +141,7 @@ std::string to_json(const RunRecord& record) {
         {"fixed", fixed},
         {"held", report.held},
         {"pulled_back", report.pulled_back},
+        {"lifted_cells", report.lifting.cells},
         {"max_move", report.max_move},
         {"mean_move", report.mean_move},
         {"deviation", report.deviation},

@@ -122,6 +122,12 @@ struct Holding {
   std::vector<ActiveBound> bounds;
 };
 
+/// What was done for the worst cells after the iterations.
+struct Lifting {
+  std::size_t cells = 0;  // that became better
+  int iterations = 0;     // in addition to those of the history
+};
+
 /// What happened to a mesh, in numbers.
 struct Report {
   Stop stop = Stop::nothing_to_move;
@@ -150,7 +156,8 @@ struct Report {
 
   double deviation = 0.0;  // of the shape from the input's, both ways, where it was measured
   std::size_t unmet = 0;   // demands on cells, moves and functions that are not met
-  int target_steps = 0;    // in which vertices were brought to their targets
+  Lifting lifting;
+  int target_steps = 0;  // in which vertices were brought to their targets
   Holding holding;
 
   int multigrid_levels = 0;

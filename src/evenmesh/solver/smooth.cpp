@@ -18,6 +18,7 @@
 #include "evenmesh/solver/descent.h"
 #include "evenmesh/solver/flips.h"
 #include "evenmesh/solver/guard.h"
+#include "evenmesh/solver/lift.h"
 #include "evenmesh/solver/multigrid.h"
 #include "evenmesh/solver/objective.h"
 #include "evenmesh/solver/relax.h"
@@ -41,6 +42,10 @@ void check(const Options& options) {
   if (!(options.time_limit_seconds >= 0.0)) {
     throw InvalidOption(
         fmt::format("the time limit must not be negative: {}", options.time_limit_seconds));
+  }
+  if (!(options.lift_below <= 1.0)) {
+    throw InvalidOption(
+        fmt::format("shape is at most 1, cells below {} cannot be lifted", options.lift_below));
   }
   if (options.threads < 0 || options.threads > kMostThreads) {
     throw InvalidOption(fmt::format("the number of threads must lie between 0 and {}, not {}",
@@ -134,6 +139,41 @@ void keep_within_moves(const Problem& problem, Points origin, Points start,
   }
 }
 
+// What a stage took is missing from the next one's budget.
+void take_from(Options& options, int iterations, double seconds) {
+  options.max_iterations = std::max(0, options.max_iterations - iterations);
+  if (options.time_limit_seconds > 0.0) {
+    options.time_limit_seconds = std::max(1e-9, options.time_limit_seconds - seconds);
+  }
+  if (!options.progress) return;
+  options.progress = [iterations, progress = options.progress](Iteration iteration) {
+    iteration.number += iterations;
+    return progress(iteration);
+  };
+}
+
+// Makes the report of two stages one after the other, given those of each.
+void put_before(const Report& first, Report& report) {
+  const Iteration last = first.history.back();
+  std::vector<Iteration> history = first.history;
+  for (Iteration iteration : report.history) {
+    if (iteration.number == 0) continue;  // where the first stage ended
+    iteration.number += last.number;
+    iteration.function += last.function + 1;
+    history.push_back(iteration);
+  }
+  report.history = std::move(history);
+  if (first.stop == Stop::interrupted) report.stop = first.stop;
+  report.held += first.held;
+  report.newton_steps += first.newton_steps;
+  report.setup_seconds += first.setup_seconds;
+  report.setup_cpu_seconds += first.setup_cpu_seconds;
+  report.solve_seconds += first.solve_seconds;
+}
+
+// Relative to a start that is all but the minimum.
+constexpr double kToleranceOfRest = 0.1;
+
 // smooth() for a mesh in good order, step by step.
 class Smoothing {
  public:
@@ -183,7 +223,7 @@ class Smoothing {
     } else {
       minimise(objective, cpu_before);
     }
-    if (untangles) put_before(untangling);
+    if (untangles) put_before(untangling, report_);
   }
 
   const Report& report() const { return report_; }
@@ -218,38 +258,10 @@ class Smoothing {
     descend(workers_, objective, preconditioner, flips, options, points_, report, {});
     report.solve_seconds = timer.seconds() - report.setup_seconds;
 
-    const int done = report.history.back().number;
-    options_.max_iterations = go_on ? std::max(0, options_.max_iterations - done) : 0;
-    if (options_.time_limit_seconds > 0.0) {
-      options_.time_limit_seconds = std::max(1e-9, options_.time_limit_seconds - timer.seconds());
-    }
-    if (options_.progress) {
-      options_.progress = [done, progress = options_.progress](Iteration iteration) {
-        iteration.number += done;
-        return progress(iteration);
-      };
-    }
+    take_from(options_, report.history.back().number, timer.seconds());
+    if (!go_on) options_.max_iterations = 0;
     report.stop = go_on ? Stop::converged : Stop::interrupted;
     return report;
-  }
-
-  /// Makes one report of those of two stages.
-  void put_before(const Report& first) {
-    const Iteration last = first.history.back();
-    std::vector<Iteration> history = first.history;
-    for (Iteration iteration : report_.history) {
-      if (iteration.number == 0) continue;  // where the first stage ended
-      iteration.number += last.number;
-      iteration.function += last.function + 1;
-      history.push_back(iteration);
-    }
-    report_.history = std::move(history);
-    if (first.stop == Stop::interrupted) report_.stop = first.stop;
-    report_.held += first.held;
-    report_.newton_steps += first.newton_steps;
-    report_.setup_seconds += first.setup_seconds;
-    report_.setup_cpu_seconds += first.setup_cpu_seconds;
-    report_.solve_seconds += first.solve_seconds;
   }
 
   using Observe = std::function<bool(Points)>;
@@ -267,7 +279,45 @@ class Smoothing {
     Flips flips = flips_of(objective, least_shape);
     move(objective, [&](std::vector<Vec3>& x, Report& report, const Observe& observe) {
       descend(workers_, objective, preconditioner, flips, options_, x, report, observe);
+      if (observe || report.stop != Stop::converged) return;
+      if (report.held > 0) go_on_without_holding(x, report, least_shape);
+      if (lifts()) {
+        report.lifting =
+            lift_worst(workers_, mesh_, objective.problem(), start_, origin_, options_, x);
+      }
     });
+  }
+
+  // Vertices that were stopped on the way because cells around them are bad, as they are at the
+  // start, may move now that these are not.
+  void go_on_without_holding(std::vector<Vec3>& x, Report& report, double least_shape) {
+    Problem problem = problem_;
+    problem.motion.start_from(workers_, mesh_.points(), x);
+    Objective objective(mesh_, problem);
+    objective.constrain(workers_, mesh_, origin_);
+    objective.lagrangian()->reset(workers_, x);
+    Multigrid preconditioner(workers_, objective.majoriser(workers_, x),
+                             objective.projectors(problem.motion.start()));
+    const Flips flips = flips_of(objective, least_shape);
+    Options options = options_;
+    take_from(options, report.history.back().number, report.history.back().seconds);
+    options.tolerance = std::max(options.tolerance, kToleranceOfRest);
+    Report again;
+    again.solver = report.solver;
+    descend(workers_, objective, preconditioner, flips, options, x, again, {});
+    Report first = report;
+    first.held = 0;
+    put_before(first, again);
+    report.history = std::move(again.history);
+    report.stop = again.stop;
+    report.solver = again.solver;
+    report.held = again.held;
+    report.newton_steps = again.newton_steps;
+  }
+
+  bool lifts() const {
+    if (options_.lift_below != 0.0) return options_.lift_below > 0.0;
+    return options_.judge == Judge::quality_and_inversion && wants_valid_cells(problem_);
   }
 
   /// Made for points_.

@@ -28,6 +28,11 @@ struct Options {
   int max_iterations = 200;         // >= 0
   double time_limit_seconds = 0.0;  // wall-clock for the iterations; 0: none
   int threads = 1;  // 0: one per core, at most 1024; the result has the same bits for any number
+  /// Cells whose metric `shape` is less than this are made better after the iterations, at some
+  /// expense of those around them (lift_worst()). 0: less than half the mean, and only if the costs
+  /// have `shape` among them and quality is judged; below 0: none. At most 1. Not for classic
+  /// methods and the dense solver.
+  double lift_below = 0.0;
   /// What must not get worse. `nothing` is for comparisons and for teaching: the bare method, whose
   /// result may be folded (Report::quality_after counts the cells). Its demand for valid cells is
   /// then the problem's alone: see Validity::demanded.
