@@ -28,6 +28,10 @@ struct SmoothArguments {
   double time_limit = 0.0;
   int threads = 0;
   bool allow_worse = false;
+  std::string wall_layers = "hold";
+  std::string target;  // "shape>=0.3"
+  bool only_failing = false;
+  int layers = 2;  // of vertices around failing cells that may move
   bool keep_partial = false;
   std::string json;    // empty: none; "-": stdout
   std::string plot;    // a folder for pictures; empty: none

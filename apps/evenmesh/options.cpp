@@ -87,6 +87,18 @@ void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
       "--solver dense: stop when eta (Eq. 12 of the paper) is below this, in the unit of "
       "the costs (default: from the tolerance)");
   app.add_option("--time-limit", smooth.time_limit, "stop iterating after so many seconds");
+  app.add_option("--wall-layers", smooth.wall_layers,
+                 "hold: stacks of flat quads, hexes or wedges on the boundary stay as they are; "
+                 "smooth: they are cells like others")
+      ->capture_default_str();
+  app.add_option("--target", smooth.target,
+                 "shape>=X: what every cell is to reach, X between 0 and 1; exit code 4 if one "
+                 "does not");
+  app.add_flag("--only-failing", smooth.only_failing,
+               "move nothing but what is near cells that miss the --target in the input");
+  app.add_option("--layers", smooth.layers,
+                 "--only-failing: how many rings of vertices around such cells may move")
+      ->capture_default_str();
   app.add_flag("--allow-worse", smooth.allow_worse,
                "let quality get worse where the cost asks for it; cells still never turn over");
   app.add_flag("--keep-partial", smooth.keep_partial, "on Ctrl-C write the best mesh so far");

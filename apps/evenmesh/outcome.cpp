@@ -117,6 +117,10 @@ std::string outcome(const Ending& ending) {
   if (ending.input.file.mesh.cells().empty()) {
     return "the mesh has no cells, so there is nothing to do";
   }
+  if (report.stop == Stop::nothing_to_move && arguments.only_failing) {
+    return fmt::format("nothing may move: no vertex that may is near a cell below {}",
+                       arguments.target);
+  }
   if (report.stop == Stop::nothing_to_move) {
     return fmt::format(
         "nothing may move: every vertex is fixed (--fix {}) or has no area around it; to see what "
@@ -136,6 +140,12 @@ std::string outcome(const Ending& ending) {
     text += fmt::format("; {} stopped early so that no cell gets too bad{}",
                         count_of(report.held, "vertex", "vertices"),
                         surface ? " and none goes too far" : "");
+  }
+  if (report.lifting.cells > 0) {
+    text += fmt::format("; {} then made better on purpose",
+                        report.lifting.cells == 1
+                            ? "1 bad cell was"
+                            : with_commas(report.lifting.cells) + " bad cells were");
   }
   if (report.pulled_back > 0) {
     text += fmt::format("; {} pulled back so that nothing is worse than before",

@@ -19,10 +19,12 @@
 #include "apps/evenmesh/paths.h"
 #include "apps/evenmesh/plots.h"
 #include "apps/evenmesh/preview.h"
+#include "apps/evenmesh/target.h"
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/text.h"
 #include "evenmesh/constraint/phrases.h"
 #include "evenmesh/mesh/curved_cells.h"
+#include "evenmesh/mesh/wall_layers.h"
 #include "evenmesh/solver/guard.h"
 #include "evenmesh/solver/smooth.h"
 
@@ -101,6 +103,9 @@ class Run {
           arguments.solver, arguments.method));
     }
     if (arguments.allow_worse) options_.judge = Judge::inversion;
+    target_ = parse_target(arguments.target);
+    if (target_) options_.lift_below = *target_;
+    check_words();
     check_report_path(arguments.json, arguments.input.path, output_);
   }
 
@@ -135,6 +140,24 @@ class Run {
 
  private:
   bool is_classic() const { return options_.method != Method::lagrange_newton; }
+
+  void check_words() const {
+    if (arguments_.wall_layers != "hold" && arguments_.wall_layers != "smooth") {
+      throw InvalidOption(fmt::format("--wall-layers '{}': known are hold and smooth",
+                                      shown(arguments_.wall_layers)));
+    }
+    if (target_ && (is_classic() || options_.solver == SolverKind::dense)) {
+      throw InvalidOption(
+          "--target needs --method lagrange_newton with a --solver other than dense");
+    }
+    if (arguments_.only_failing && !target_) {
+      throw InvalidOption(
+          "--only-failing needs a --target that says which cells fail, as in shape>=0.3");
+    }
+    if (arguments_.layers < 0) {
+      throw InvalidOption(fmt::format("--layers must not be negative, not {}", arguments_.layers));
+    }
+  }
 
   void prepare() {
     check(options_);
@@ -184,6 +207,7 @@ class Run {
                   .arrays = file.arrays,
                   .followers = &file.followers},
         .held = held(),
+        .layers = wall_layers(),
         .vertex_name = [&file](Index v) { return file.patch->vertex_name(v); },
         .read_mesh = [](const std::string& path) { return read_mesh(path).mesh; },
         .read_text = read_text,
@@ -191,6 +215,45 @@ class Run {
     problem_.orientation = input_.orientation;
     record_.constraints =
         apply(file.mesh, input_.topology, understand(arguments_.constraints, setting), problem_);
+    if (arguments_.only_failing) fix_far_from_failing();
+  }
+
+  // Smoothing would make them as thick as they are wide.
+  Selection wall_layers() const {
+    const Mesh& mesh = input_.file.mesh;
+    if (arguments_.wall_layers != "hold") return {};
+    const std::vector<char> layer = find_wall_layers(mesh, input_.orientation);
+    const auto cells = static_cast<std::size_t>(std::count(layer.begin(), layer.end(), 1));
+    if (cells == 0) return {};
+    Selection selection{.text = fmt::format("wall layers, {}", count_of(cells, "cell", "cells")),
+                        .vertices = std::vector<char>(mesh.point_count(), 0)};
+    for (std::size_t c = 0; c < layer.size(); ++c) {
+      if (layer[c] == 0) continue;
+      for (const Index v : mesh.cells().vertices(c)) selection.vertices[v] = 1;
+    }
+    const bool holds = arguments_.constraints.fix == "auto";
+    console_.say(
+        fmt::format("found {}{}", selection.text,
+                    holds ? "; they stay as they are (--wall-layers smooth lets them move)" : ""));
+    return selection;
+  }
+
+  void fix_far_from_failing() {
+    const Mesh& mesh = input_.file.mesh;
+    const std::vector<std::size_t> failing =
+        cells_below(*target_, mesh, mesh.points(), input_.orientation, arguments_.threads);
+    const std::vector<char> far = vertices_far_from(failing, mesh, arguments_.layers);
+    std::size_t fixed = 0;
+    for (Index v = 0; v < far.size(); ++v) {
+      if (!far[v] || problem_.motion.freedom(v) == Motion::Freedom::fixed) continue;
+      problem_.motion.fix(v);
+      ++fixed;
+    }
+    record_.constraints.push_back(
+        {"fixed", "--only-failing", Entry::eliminated, fixed, "vertices",
+         fmt::format("farther than {} from {} below the target",
+                     count_of(static_cast<std::size_t>(arguments_.layers), "layer", "layers"),
+                     count_of(failing.size(), "cell", "cells"))});
   }
 
   Selection held() const {
@@ -284,7 +347,9 @@ class Run {
       refuse();
       return;
     }
-    if (fails_a_demand(arguments_.constraints, report.holding)) {
+    const std::string missed = missed_target();
+    if (!missed.empty()) record_.message += "; " + missed;
+    if (!missed.empty() || fails_a_demand(arguments_.constraints, report.holding)) {
       record_.exit_code = kBelowTarget;
       console_.complain(record_.message);
     } else {
@@ -297,6 +362,17 @@ class Run {
     }
     if (arguments_.json != "-") print(quality_table(report.quality_before, &report.quality_after));
     console_.say("wrote " + output_);
+  }
+
+  // Which cells do not reach the target, or nothing.
+  std::string missed_target() const {
+    if (!target_) return "";
+    const std::vector<std::size_t> below =
+        cells_below(*target_, result_, result_.points(), input_.orientation, arguments_.threads);
+    if (below.empty()) return "";
+    return fmt::format("{} below the target {}, the first: {}",
+                       below.size() == 1 ? "1 cell is" : with_commas(below.size()) + " cells are",
+                       arguments_.target, input_.file.patch->cell_name(below[0]));
   }
 
   void refuse() {
@@ -425,6 +501,7 @@ class Run {
   const std::function<bool()>& interrupted_;
   const std::string output_;
   Options options_;
+  std::optional<double> target_;  // of every cell's shape
   const Timer total_;
   RunRecord record_;
   Input input_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Constraints from the command line and from configuration files, and what a dry run says of them.
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -241,6 +243,69 @@ TEST_F(ConstraintOptions, FromAFileAreJudgedWithTheirPlaceInIt) {
   const Outcome missing = dry_run({"--config", "none.toml"});
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_NE(missing.err.find("none.toml: cannot be read"), std::string::npos) << missing.err;
+}
+
+TEST_F(ConstraintOptions, HoldWallLayersUntilToldOtherwise) {
+  Mesh mesh = shapes::quad_grid(6, 1.0, 0.15);
+  std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const double row = static_cast<double>(v / 7);
+    if (row < 4) points[v] = Vec3(static_cast<double>(v % 7) / 6, 0.005 * (std::exp2(row) - 1), 0);
+  }
+  mesh.set_points(std::move(points));
+  testing::write_obj(mesh, folder_.path() / "in.obj");
+  const Outcome held = start({"-o", "held.obj"});
+  EXPECT_EQ(held.exit_code, 0) << held.err;
+  EXPECT_NE(held.err.find("found wall layers, 18 cells; they stay as they are"), std::string::npos)
+      << held.err;
+  const std::string before = read_bytes(folder_.path() / "in.obj");
+  const std::string after = read_bytes(folder_.path() / "held.obj");
+  std::size_t end = 0;
+  for (int line = 0; line < 28; ++line) end = before.find('\n', end) + 1;
+  EXPECT_EQ(after.substr(0, end), before.substr(0, end));
+  EXPECT_NE(after, before);
+  const Outcome smoothed = start({"-o", "smoothed.obj", "--wall-layers", "smooth"});
+  EXPECT_EQ(smoothed.err.find("wall layers"), std::string::npos) << smoothed.err;
+  expect_refused({"--wall-layers", "thick"}, {"--wall-layers 'thick'", "hold and smooth"});
+}
+
+TEST_F(ConstraintOptions, MissingATargetIsExitCode4) {
+  testing::write_obj(shapes::irregular_triangles(200, 0.4), folder_.path() / "in.obj");
+  EXPECT_EQ(start({"-o", "out.obj", "--target", "shape>=0.3"}).exit_code, 0);
+  const Outcome missed = start({"-o", "missed.obj", "--target", "shape>=0.99"});
+  EXPECT_EQ(missed.exit_code, 4) << missed.err;
+  EXPECT_NE(missed.err.find("below the target shape>=0.99, the first: "), std::string::npos)
+      << missed.err;
+  EXPECT_NE(read_bytes(folder_.path() / "missed.obj"), "");
+  expect_refused({"--target", "shape=0.3"}, {"--target 'shape=0.3'", "shape>=X"});
+  expect_refused({"--target", "shape>=0.3", "--method", "laplacian"}, {"--target needs"});
+}
+
+TEST_F(ConstraintOptions, OnlyFailingLeavesTheRest) {
+  Mesh mesh = shapes::quad_grid(10, 1.0, 0.1);
+  std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
+  points[2 * 11 + 2] += Vec3(0.06, 0.06, 0.0);
+  mesh.set_points(std::move(points));
+  testing::write_obj(mesh, folder_.path() / "in.obj");
+  const Outcome outcome =
+      start({"-o", "out.obj", "--target", "shape>=0.8", "--only-failing", "--layers", "1"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string before = read_bytes(folder_.path() / "in.obj");
+  const std::string after = read_bytes(folder_.path() / "out.obj");
+  EXPECT_NE(after, before);
+  const auto upper = [](const std::string& text) {  // rows from the sixth on
+    std::size_t at = 0;
+    for (int line = 0; line < 55; ++line) at = text.find('\n', at) + 1;
+    return text.substr(at);
+  };
+  EXPECT_EQ(upper(after), upper(before));
+  testing::write_obj(shapes::quad_grid(10, 1.0, 0.1), folder_.path() / "in.obj");
+  const Outcome nothing = start({"-o", "same.obj", "--target", "shape>=0.1", "--only-failing"});
+  EXPECT_EQ(nothing.exit_code, 0) << nothing.err;
+  EXPECT_NE(nothing.err.find("near a cell below shape>=0.1"), std::string::npos) << nothing.err;
+  EXPECT_EQ(read_bytes(folder_.path() / "same.obj"), read_bytes(folder_.path() / "in.obj"));
+  expect_refused({"--only-failing"}, {"--only-failing needs a --target"});
+  expect_refused({"--target", "shape>=0.5", "--only-failing", "--layers", "-1"}, {"--layers"});
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ class Reader {
   Constraints read() {
     result_.vertex_name = in_.vertex_name;
     result_.held = in_.held;
+    result_.layers = in_.layers;
     if (text_.fix != "auto") result_.fixed = selection("--fix", text_.fix);
     for (const std::string& t : text_.free) result_.free.push_back(selection("--free", t));
     for (const std::string& t : text_.slide) read_slide(t);

@@ -40,6 +40,7 @@ struct ConstraintSetting {
   const Topology& topology;
   FileNames names = {};
   Selection held = {};                                 // see Constraints
+  Selection layers = {};                               // see Constraints
   std::function<std::string(Index)> vertex_name = {};  // for messages; empty: "vertex 7"
   /// Reads the other files that constraints name; throw what cannot be read.
   std::function<Mesh(const std::string& path)> read_mesh = {};

@@ -81,6 +81,7 @@ struct Constraints {
   /// These stay too unless they are free, slide or `fixed` says which stay: a default that comes
   /// with the file. Empty: none.
   Selection held = {};
+  Selection layers = {};             // the same for vertices of wall layers
   std::vector<Selection> free = {};  // without the defaults; on a surface mesh anywhere on it
   std::vector<Slide> slides = {};
   std::vector<Symmetry> symmetries = {};

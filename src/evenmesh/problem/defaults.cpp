@@ -52,6 +52,9 @@ std::vector<Held> find_defaults(const Scene& scene) {
     if (constraints.fixed && on_run) held[v].hold = Hold::run;
     if (!constraints.fixed && !constraints.held.vertices.empty() && constraints.held.vertices[v]) {
       held[v] = {Hold::file};
+    } else if (!constraints.fixed && !constraints.layers.vertices.empty() &&
+               constraints.layers.vertices[v]) {
+      held[v] = {Hold::layer};
     }
     for (const Selection& free : constraints.free) {
       if (free.vertices[v]) held[v] = {};
@@ -71,6 +74,7 @@ void apply_defaults(const Scene& scene, Arrangement& arrangement) {
       case Hold::corner:
       case Hold::curved:
       case Hold::file:
+      case Hold::layer:
         motion.fix(v);
         break;
       case Hold::line:
@@ -95,7 +99,8 @@ std::vector<ConstraintSummary> summarize_defaults(const Scene& scene,
                                                   const Arrangement& arrangement) {
   std::vector<ConstraintSummary> lines;
   const auto add = [&](Hold hold, std::string_view kind, std::string_view note) {
-    const bool stays = hold == Hold::corner || hold == Hold::curved || hold == Hold::file;
+    const bool stays =
+        hold == Hold::corner || hold == Hold::curved || hold == Hold::file || hold == Hold::layer;
     std::size_t number = 0;
     for (Index v = 0; v < scene.points.size(); ++v) {
       const bool overruled =
@@ -112,6 +117,7 @@ std::vector<ConstraintSummary> summarize_defaults(const Scene& scene,
   const bool volume = scene.type == MeshType::volume;
   add(Hold::corner, "fixed", "corners");
   add(Hold::file, "fixed", scene.constraints.held.text);
+  add(Hold::layer, "fixed", scene.constraints.layers.text);
   add(Hold::curved, "fixed",
       surface  ? "interfaces that bend"
       : volume ? "skin and interfaces that bend"

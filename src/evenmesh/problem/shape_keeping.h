@@ -18,6 +18,7 @@ enum class Hold : std::uint8_t {
   corner,   // stays: curves end, meet or turn there
   curved,   // stays: it lies on a curve or face that bends there
   file,     // stays: something else in the file hangs on its place
+  layer,    // stays: it belongs to a wall layer
   line,     // slides along a straight stretch
   plane,    // slides within a flat part of the skin of a volume mesh
   run,      // slides along its polyline
