@@ -331,6 +331,27 @@ TEST_P(GuardOfTheZoo, ResultAlwaysKeepsThePromise) {
 INSTANTIATE_TEST_SUITE_P(Displacements, GuardOfTheZoo,
                          testing::Values(1e-9, 1e-3, 0.05, 0.5, 10.0));
 
+// Perfect squares beside a few that are turned over: whoever makes room for these has a lower mean.
+TEST(Guard, LetsTheMeanFallWhereFewerCellsAreInverted) {
+  Mesh mesh = shapes::quad_grid(10);
+  std::vector<Vec3> wanted = displaced(mesh, problem_of(mesh).motion, 0.02, 3);
+  std::vector<Vec3> points = copy_of(mesh.points());
+  points[5 * 11 + 5] += Vec3(0.15, 0.0, 0.0);
+  mesh.set_points(points);
+  const Orientation orientation = find_orientation(mesh);
+  Workers workers;
+  const Guard guard(workers, mesh, orientation);
+  ASSERT_GT(guard.before().inverted, 0u);
+  const std::vector<Vec3> valid = wanted;
+  ASSERT_LT(guard.mean_shape_at(workers, valid), guard.before().of(Metric::shape).mean);
+  EXPECT_EQ(guard.find_breach(workers, valid, kAll), "");
+  const Guard::Result result = guard.enforce(workers, wanted, kAll);
+  EXPECT_EQ(result.promise, Promise::kept);
+  EXPECT_FALSE(result.mean_fell);
+  EXPECT_EQ(wanted, valid);
+  EXPECT_EQ(result.after.inverted, 0u);
+}
+
 TEST(Guard, JudgesTheMeanThatTheReportShows) {
   // More cells than one range of a sum: the order in which the mean adds up matters.
   const Mesh mesh = shapes::triangle_grid(120, 1.0, 0.2);

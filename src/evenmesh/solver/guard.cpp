@@ -86,6 +86,13 @@ bool Guard::offends(const CellQuality& quality, std::size_t cell, Points points,
   return false;
 }
 
+// Cells that were perfect beside cells that were turned over make room for these.
+bool Guard::mean_counts(const CellQuality& quality) const {
+  const auto inverted = static_cast<std::size_t>(std::count_if(
+      quality.inverted.begin(), quality.inverted.end(), [](char flag) { return flag != 0; }));
+  return inverted >= summary_.inverted;
+}
+
 double Guard::mean_shape_at(Workers& workers, Points points) const {
   const Cells& cells = input_.cells();
   const double sum =
@@ -117,7 +124,7 @@ std::string Guard::find_breach(Workers& workers, Points points, Judge judge) con
       return fmt::format("the shape would be {:.3g} away from the input's", found);
     }
   }
-  if (judge == Judge::quality_and_inversion &&
+  if (judge == Judge::quality_and_inversion && mean_counts(quality) &&
       mean_shape(workers, quality) < (1.0 - kSumRounding) * summary_.metrics[kShape].mean) {
     return "the mean of shape would be lower than before";
   }
@@ -152,7 +159,7 @@ class Guard::Retreat {
         retreat();
         continue;
       }
-      if (judge_ == Judge::inversion) return;
+      if (judge_ == Judge::inversion || !guard_.mean_counts(quality_)) return;
       if (mean_shape(workers_, quality_) >= guard_.summary_.metrics[kShape].mean) return;
       mean_fell_ = true;
       if (!mark_where_shape_fell()) return;

@@ -23,7 +23,7 @@ namespace evenmesh {
 ///   if it is inverted between good corners, a lower determinant there,
 /// - the worst value over the mesh of every metric is at least as good as in the input, unless
 ///   the input has inverted cells: then getting rid of them comes first,
-/// - so is the mean of `shape`,
+/// - so is the mean of `shape`, unless fewer cells are inverted than in the input,
 /// - and the shape stays within a distance of the input's, if one is set.
 class Guard {
  public:
@@ -75,6 +75,7 @@ class Guard {
 
   bool offends(const CellQuality& quality, std::size_t cell, Points points, Judge judge) const;
   bool is_further_over(std::size_t cell, Points points) const;
+  bool mean_counts(const CellQuality& quality) const;
   double least_corner_of(std::size_t cell, Points points) const;
   double least_determinant_of(std::size_t cell, Points points) const;
 
