@@ -332,7 +332,7 @@ INSTANTIATE_TEST_SUITE_P(Displacements, GuardOfTheZoo,
                          testing::Values(1e-9, 1e-3, 0.05, 0.5, 10.0));
 
 // Perfect squares beside a few that are turned over: whoever makes room for these has a lower mean.
-TEST(Guard, LetsTheMeanFallWhereFewerCellsAreInverted) {
+TEST(Guard, LetsTheMeanFallWhereATangledMeshBecomesValid) {
   Mesh mesh = shapes::quad_grid(10);
   std::vector<Vec3> wanted = displaced(mesh, problem_of(mesh).motion, 0.02, 3);
   std::vector<Vec3> points = copy_of(mesh.points());

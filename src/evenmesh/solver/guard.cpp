@@ -88,9 +88,9 @@ bool Guard::offends(const CellQuality& quality, std::size_t cell, Points points,
 
 // Cells that were perfect beside cells that were turned over make room for these.
 bool Guard::mean_counts(const CellQuality& quality) const {
-  const auto inverted = static_cast<std::size_t>(std::count_if(
-      quality.inverted.begin(), quality.inverted.end(), [](char flag) { return flag != 0; }));
-  return inverted >= summary_.inverted;
+  const bool any_inverted = std::any_of(quality.inverted.begin(), quality.inverted.end(),
+                                        [](char flag) { return flag != 0; });
+  return any_inverted || summary_.inverted == 0;
 }
 
 double Guard::mean_shape_at(Workers& workers, Points points) const {

@@ -23,7 +23,7 @@ namespace evenmesh {
 ///   if it is inverted between good corners, a lower determinant there,
 /// - the worst value over the mesh of every metric is at least as good as in the input, unless
 ///   the input has inverted cells: then getting rid of them comes first,
-/// - so is the mean of `shape`, unless fewer cells are inverted than in the input,
+/// - so is the mean of `shape`, unless inverted cells have all become valid,
 /// - and the shape stays within a distance of the input's, if one is set.
 class Guard {
  public:

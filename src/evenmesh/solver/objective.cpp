@@ -104,7 +104,9 @@ void hold_free_pieces(std::vector<char> held, SymmetricMatrix& matrix) {
 }  // namespace
 
 Objective::Objective(const Mesh& mesh, const Problem& problem)
-    : problem_(problem), layout_(mesh.cells(), mesh.point_count(), &problem.orientation), motion_(problem.motion) {}
+    : problem_(problem),
+      layout_(mesh.cells(), mesh.point_count(), &problem.orientation),
+      motion_(problem.motion) {}
 
 void Objective::constrain(Workers& workers, const Mesh& mesh, Points origin) {
   lagrangian_.emplace(workers, mesh, origin, problem_, layout_);

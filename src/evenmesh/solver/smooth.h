@@ -66,8 +66,8 @@ void check(const Options& options);
 /// - no cell is inverted that was not, and none that was is worse,
 /// - for every metric the worst value over the mesh is at least as good (unless cells were inverted
 ///   before: getting rid of them comes first), and the mean of `shape` is at least as high (unless
-///   fewer cells are inverted now). If options.judge leaves quality out that does not count, and
-///   with `nothing` cells may be inverted too.
+///   inverted cells have all become valid). If options.judge leaves quality out that does not
+///   count, and with `nothing` cells may be inverted too.
 /// With targets this is in comparison with the mesh after vertices were brought to them, which the
 /// caller may find to have cells that are inverted and were not.
 /// Where the minimiser would break this, vertices around the offending cells are pulled back
