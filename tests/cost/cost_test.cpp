@@ -229,8 +229,26 @@ TEST(Shape, CountsThePowerOfTheInverseForAnExponent) {
   }
 }
 
-TEST(Shape, HasTheGradientOfItsValueForAnExponent) {
-  const Shape cost(8);
+TEST(Shape, CountsTheLogarithmForExponentZero) {
+  for (const CellKind kind : {CellKind::triangle, CellKind::tet}) {
+    const Sample sample = disturbed(kind, traits(kind).vertices, 0.3);
+    const double u = value(Shape(), sample, sample.points) + inverse_of(1.0);
+    EXPECT_NEAR(value(Shape(0), sample, sample.points), std::log(u / inverse_of(1.0)), 1e-13);
+  }
+}
+
+TEST(Shape, LetsCellsOverTheLessTheSmallerTheSoftness) {
+  Sample flat = disturbed(CellKind::triangle, 3, 0.0);
+  flat.points[flat.cell[2]] = 0.5 * (flat.points[flat.cell[0]] + flat.points[flat.cell[1]]);
+  EXPECT_NEAR(value(Shape(), flat, flat.points), 40.0 - inverse_of(1.0), 1e-9);
+  EXPECT_NEAR(value(Shape(1, 0.005), flat, flat.points), 400.0 - 1.0, 1e-2);
+}
+
+class ShapeOfAnExponent : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Some, ShapeOfAnExponent, testing::Values(0, 2, 8));
+
+TEST_P(ShapeOfAnExponent, HasTheGradientOfItsValue) {
+  const Shape cost(GetParam());
   for (const Sample& sample : samples(0.1)) {
     std::vector<Vec3> gradient(sample.points.size(), Vec3::Zero());
     cost.evaluate(sample.block(), sample.points, 1.0, gradient);

@@ -12,19 +12,6 @@
 namespace evenmesh {
 namespace {
 
-// Corners with a smaller t are treated more and more like inverted ones.
-constexpr double kDelta = 0.05;
-
-struct Inverse {
-  double value;  // (1 / chi(t)^p - 1 / chi(1)^p) / p
-  double slope;
-};
-
-// 1 / chi(t), without cancellation on either side.
-double inverse_of_chi(double t, double root) {
-  return t > 0.0 ? 2.0 / (t + root) : 2.0 * (root - t) / (kDelta * kDelta);
-}
-
 double power(double base, int exponent) {
   double result = 1.0;
   for (; exponent > 0; exponent /= 2, base *= base) {
@@ -33,15 +20,37 @@ double power(double base, int exponent) {
   return result;
 }
 
-const double kIdeal = inverse_of_chi(1.0, std::sqrt(1.0 + kDelta * kDelta));
+// What corners cost, as a function of t.
+class Price {
+ public:
+  struct Value {
+    double value;  // (1 / chi(t)^p - 1 / chi(1)^p) / p, or log(chi(1) / chi(t)) for p = 0
+    double slope;
+  };
 
-inline Inverse inverse(double t, int exponent) {
-  const double root = std::sqrt(t * t + kDelta * kDelta);
-  const double value = inverse_of_chi(t, root);
-  if (exponent == 1) return {value - kIdeal, -value / root};
-  const double raised = power(value, exponent);
-  return {(raised - power(kIdeal, exponent)) / exponent, -raised / root};
-}
+  Price(int exponent, double softness)
+      : exponent_(exponent), square_(softness * softness), ideal_(inverse_of_chi(1.0)) {}
+
+  Value operator()(double t) const {
+    const double root = std::sqrt(t * t + square_);
+    const double value = inverse_of_chi(t, root);
+    if (exponent_ == 0) return {std::log(value / ideal_), -1.0 / root};
+    if (exponent_ == 1) return {value - ideal_, -value / root};
+    const double raised = power(value, exponent_);
+    return {(raised - power(ideal_, exponent_)) / exponent_, -raised / root};
+  }
+
+ private:
+  // 1 / chi(t), without cancellation on either side.
+  double inverse_of_chi(double t, double root) const {
+    return t > 0.0 ? 2.0 / (t + root) : 2.0 * (root - t) / square_;
+  }
+  double inverse_of_chi(double t) const { return inverse_of_chi(t, std::sqrt(t * t + square_)); }
+
+  int exponent_;
+  double square_;  // of the softness
+  double ideal_;   // 1 / chi(1)
+};
 
 // Squares of edges shorter than this would leave the range of doubles.
 constexpr double kLeastNorm = 1e-280;
@@ -50,7 +59,7 @@ constexpr double kLeastNorm = 1e-280;
 struct SurfaceCorner {
   PlaneCorner corner;
   double sine, cosine;
-  int exponent;
+  const Price& price;
 
   double norm() const {
     return corner.p.squaredNorm() + corner.q.squaredNorm() - 2.0 * cosine * corner.p.dot(corner.q);
@@ -58,9 +67,9 @@ struct SurfaceCorner {
 
   double add(double weight, std::span<Vec3> gradient) const {
     const double n = norm();
-    if (!(n > kLeastNorm)) return weight * inverse(0.0, exponent).value;
+    if (!(n > kLeastNorm)) return weight * price(0.0).value;
     const double t = 2.0 * sine * corner.determinant() / n;
-    const auto [value, slope] = inverse(t, exponent);
+    const auto [value, slope] = price(t);
     if (gradient.empty()) return weight * value;
     const double factor = weight * slope / n;
     corner.add_gradient(2.0 * sine * factor, gradient);
@@ -75,14 +84,14 @@ struct SurfaceCorner {
 };
 
 template <CellKind kind>
-double add_volume_corner(const SpaceCorner& corner, int exponent, double weight,
+double add_volume_corner(const SpaceCorner& corner, const Price& price, double weight,
                          std::span<Vec3> gradient) {
   const IdealNorm norm = ideal_norm<kind>(corner);
-  if (!(norm.value > kLeastNorm)) return weight * inverse(0.0, exponent).value;
+  if (!(norm.value > kLeastNorm)) return weight * price(0.0).value;
   constexpr double kRoot27 = 3.0 * std::numbers::sqrt3;
   const double scale = kRoot27 * norm.factor / (norm.value * std::sqrt(norm.value));
   const double t = scale * corner.determinant();
-  const auto [value, slope] = inverse(t, exponent);
+  const auto [value, slope] = price(t);
   if (gradient.empty()) return weight * value;
   corner.add_gradient(weight * slope * scale, gradient);
   const double by_norm = -3.0 * weight * slope * t / norm.value;
@@ -94,7 +103,7 @@ double add_volume_corner(const SpaceCorner& corner, int exponent, double weight,
 }
 
 /// The corners of surface cells; about their own normal where there is no up.
-double evaluate_surface(const CellBlock& cells, Points x, int exponent, double weight,
+double evaluate_surface(const CellBlock& cells, Points x, const Price& price, double weight,
                         std::span<Vec3> gradient) {
   const auto n = static_cast<std::size_t>(cells.vertices_per_cell);
   const double angle = (1.0 - 2.0 / static_cast<double>(n)) * std::numbers::pi;
@@ -109,14 +118,14 @@ double evaluate_surface(const CellBlock& cells, Points x, int exponent, double w
     for (std::size_t k = 0; k < corners; ++k) {
       PlaneCorner corner(cell[k], cell[(k + 1) % n], cell[(k + n - 1) % n], x, up);
       if (up.isZero(0.0)) corner.up = corner.p.cross(corner.q).stableNormalized();
-      sum += SurfaceCorner{corner, sine, cosine, exponent}.add(each, gradient);
+      sum += SurfaceCorner{corner, sine, cosine, price}.add(each, gradient);
     }
   }
   return sum;
 }
 
 template <CellKind kind>
-double evaluate_volume(const CellBlock& cells, Points x, int exponent, double weight,
+double evaluate_volume(const CellBlock& cells, Points x, const Price& price, double weight,
                        std::span<Vec3> gradient) {
   const double each = weight / static_cast<double>(determinants_of(kind));
   double sum = 0.0;
@@ -124,7 +133,7 @@ double evaluate_volume(const CellBlock& cells, Points x, int exponent, double we
     for_determinants(kind, cells.cell(i), x, Vec3::Zero(), cells.sign(i),
                      [&](std::uint32_t, const auto& corner) {
                        if constexpr (std::is_same_v<decltype(corner), const SpaceCorner&>) {
-                         sum += add_volume_corner<kind>(corner, exponent, each, gradient);
+                         sum += add_volume_corner<kind>(corner, price, each, gradient);
                        }
                      });
   }
@@ -135,12 +144,13 @@ double evaluate_volume(const CellBlock& cells, Points x, int exponent, double we
 
 double Shape::evaluate(const CellBlock& cells, Points x, double weight,
                        std::span<Vec3> gradient) const {
+  const Price price(exponent_, softness_);
   if (traits(cells.kind).dimension == 3) {
     return with_volume_kind(cells.kind, [&](auto kind) {
-      return evaluate_volume<kind()>(cells, x, exponent_, weight, gradient);
+      return evaluate_volume<kind()>(cells, x, price, weight, gradient);
     });
   }
-  return cells.in_volume() ? 0.0 : evaluate_surface(cells, x, exponent_, weight, gradient);
+  return cells.in_volume() ? 0.0 : evaluate_surface(cells, x, price, weight, gradient);
 }
 
 // 1 / t is |T|^d over the determinant. With the determinant held, it curves like springs along the
