@@ -135,6 +135,8 @@ std::string outcome(const Ending& ending) {
         costs ? "cost" : "method", costs ? "costs (--cost)" : "methods (--method)");
   }
   std::string text = how_it_stopped(report);
+  if (report.milder_cost)
+    text += " with a milder cost, since with shape the mean would have fallen";
   if (report.held > 0) {
     const bool surface = ending.input.orientation.type == MeshType::surface;
     text += fmt::format("; {} stopped early so that no cell gets too bad{}",

@@ -128,6 +128,7 @@ std::string to_json(const RunRecord& record) {
       {"method", failed ? Json(nullptr) : Json(name(report.method))},
       {"solver", failed || classic ? Json(nullptr) : Json(name(report.solver))},
       {"iterations", iterations},
+      {"milder_cost", report.milder_cost},
       {"cost_before", report.cost_before},
       {"cost_after", report.cost_after},
       {"inverted_before", report.quality_before.inverted},

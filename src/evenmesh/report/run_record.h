@@ -74,7 +74,7 @@ struct RunRecord {
 };
 
 /// The version of the report's format: additions raise the second number, anything else the first.
-inline constexpr const char* kReportSchemaVersion = "1.3";
+inline constexpr const char* kReportSchemaVersion = "1.4";
 
 /// The record as JSON text, indented, with a final newline; docs/report.schema.json describes it.
 /// Infinite values (the edge ratio of a collapsed cell) are null, as JSON has no word for them.

@@ -157,6 +157,9 @@ struct Report {
   double deviation = 0.0;  // of the shape from the input's, both ways, where it was measured
   std::size_t unmet = 0;   // demands on cells, moves and functions that are not met
   Lifting lifting;
+  /// The history and costs are those of a cost that counts the worst cells less than `shape` does,
+  /// since the mean of shape fell with that.
+  bool milder_cost = false;
   int target_steps = 0;  // in which vertices were brought to their targets
   Holding holding;
 
