@@ -91,7 +91,6 @@ export class Scene {
   #makeLines(width, corners, lift, own = {}) {
     const material = this.#material(shaders.linesVertex, shaders.plainFragment, {
       colour: { value: new Vector3() },
-      opacity: { value: 1 },
       width: { value: width },
       lift: { value: lift },
       arrows: { value: false },
@@ -155,6 +154,15 @@ export class Scene {
     // All cells of a surface stay in the buffer; the texture hides them.
     const shown = volume ? visible.of : new Uint8Array(this.mesh.cellCount).fill(1);
     this.#setCorners(cornersOfFaces(this.mesh, this.faces, shown, volume && shrunk));
+  }
+
+  /** Whether a cell has a face that bounds no other cell. */
+  onBoundary(cell) {
+    const { faces } = this;
+    for (let i = 0; i < faces.count; ++i) {
+      if (faces.other[i] < 0 && faces.cell[i] === cell) return true;
+    }
+    return false;
   }
 
   #setCorners(corners) {

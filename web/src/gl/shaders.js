@@ -175,9 +175,8 @@ void main() {
 
 export const plainFragment = `${head}
 uniform vec3 colour;
-uniform float opacity;
 out vec4 fragment;
-void main() { fragment = vec4(colour, opacity); }`;
+void main() { fragment = vec4(colour, 1.0); }`;
 
 export const marksVertex = `${head}${points}
 in uvec2 mark;             // vertex, hold

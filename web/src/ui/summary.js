@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+
+import { h } from './dom.js';
+import { count } from './format.js';
+
+const marks = { pass: '✓', fail: '✗', none: '–' };
+const said = { pass: 'pass', fail: 'fail', none: 'not judged' };
+const toneOf = (pass) => (pass === true ? 'pass' : pass === false ? 'fail' : 'none');
+
+/** Title, how it ended, what passed, what was done. */
+export function summary(report) {
+  return h('section', { class: 'em-summary', 'aria-label': 'Result' },
+    h('div', { class: 'em-card em-result' },
+      headline(report),
+      verdicts(report.verdicts ?? [])),
+    report.ledger?.length > 0 && h('div', { class: 'em-card' },
+      h('h2', null, 'Geometry'),
+      h('dl', { class: 'em-ledger' }, ...report.ledger.flatMap(({ name, value }) =>
+        [h('dt', null, name), h('dd', null, value)]))),
+    notes(report));
+}
+
+function headline({ run, verdicts = [], kind }) {
+  const failed = verdicts.filter(({ pass }) => pass === false).length;
+  const tone = run && run.status !== 'ok' ? (run.status === 'failed' ? 'fail' : 'warn') : failed ? 'fail' : 'pass';
+  const status = run?.status ?? (failed ? 'not passed' : kind === 'check' ? 'checked' : 'compared');
+  const message = run?.message ?? (failed
+    ? `${failed} of ${verdicts.length} checks did not pass`
+    : verdicts.some(({ pass }) => pass === true) ? 'All that was judged passed' : 'Measured; nothing was judged');
+  return h('p', { class: 'em-headline' }, h('span', { class: `em-status em-${tone}` }, status), ' ', message);
+}
+
+function verdicts(list) {
+  if (list.length === 0) return null;
+  return h('ul', { class: 'em-verdicts' }, ...list.map(({ name, pass, text }) => {
+    const tone = toneOf(pass);
+    return h('li', { class: `em-verdict-${tone}` },
+      h('span', { class: 'em-mark', role: 'img', 'aria-label': said[tone] }, marks[tone]),
+      h('span', { class: 'em-verdict-name' }, name),
+      h('span', { class: 'em-verdict-text' }, text));
+  }));
+}
+
+function notes({ notes: given = [], mesh }) {
+  const list = [...given];
+  const { shown, of } = mesh?.cells ?? {};
+  if (shown < of) list.unshift(`${count(shown)} of ${count(of)} cells are in this file and can be looked at.`);
+  if (list.length === 0) return null;
+  return h('div', { class: 'em-card' },
+    h('h2', null, 'Notes'),
+    h('ul', { class: 'em-notes' }, ...list.map((note) => h('li', null, note))));
+}
