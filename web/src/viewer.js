@@ -62,7 +62,7 @@ export async function mountReport(root, report, data, { keyTarget = root } = {})
     charts?.redraw();
   });
   const legend = makeLegend(store, palette);
-  stage = new Stage(mesh, store, legend);
+  stage = new Stage(mesh, store);
   const listed = (report.worst ?? []).map(({ cell }) => cell).filter((cell) => cell >= 0 && cell < mesh.cellCount);
   const actions = makeActions({ report, mesh, store, stage, theme, listed, dialog: () => dialog });
   const keys = makeKeys({ mesh, store, stage, actions });
@@ -78,7 +78,7 @@ export async function mountReport(root, report, data, { keyTarget = root } = {})
     h('main', null,
       summary(report),
       h('section', { class: 'em-workspace', 'aria-label': 'Mesh' },
-        h('div', { class: 'em-picture' }, parts.bar.element, stage.element),
+        h('div', { class: 'em-picture' }, parts.bar.element, stage.element, legend.element),
         h('aside', { class: 'em-side', 'aria-label': 'Cell, colours and filters' }, parts.cell.element, ...parts.controls.panels)),
       h('div', { class: 'em-below' },
         ...[worstTable(report, store, actions.goTo), qualityTable(report.quality), charts?.element, commandAndRun(report)].filter(Boolean))),

@@ -96,14 +96,14 @@ void main() {
   float size = length(normal);
   vec3 light = normalize(vec3(-0.25, 0.45, 1.0));
   float lit = size > 0.0 ? abs(dot(normal / size, light)) : 1.0;
-  base *= mix(1.0, 0.52 + 0.5 * lit, shading);
+  base *= mix(1.0, 0.6 + 0.42 * lit, shading);
   if (cell == hovered) base = mix(base, vec3(1.0), 0.3);
 
   if (showEdges) {
     vec3 slope = sqrt(dFdx(weights) * dFdx(weights) + dFdy(weights) * dFdy(weights));
     vec3 steep = max(slope, vec3(1e-9));
     vec3 away = weights / steep;
-    vec3 real = vec3(edges & 1u, (edges >> 1u) & 1u, (edges >> 2u) & 1u);
+    bvec3 real = bvec3(edges & 1u, edges & 2u, edges & 4u);
     away = mix(vec3(1e9), away, real);
     float nearest = min(away.x, min(away.y, away.z)) / pixelRatio;
     float line = 1.0 - smoothstep(0.35, 1.15, nearest);

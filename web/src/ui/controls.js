@@ -32,13 +32,12 @@ function showGroup(mesh, store, on) {
     ['edges', 'Cell edges', 'Edges of cells (E)'],
     mesh.dimension === 3 && ['features', 'Shape edges', 'Boundary and feature edges (O)'],
     ['marks', 'Held vertices', 'Vertices that are fixed, slide or were stopped (M)'],
-    mesh.after && ['vectors', 'Moves', 'An arrow from where each vertex was to where it is (V)'],
   ].filter(Boolean);
-  const buttons = flags.map(([key, label, title]) => {
+  const switchOf = ([key, label, title]) => {
     const { button, set } = toggle(label, title, () => store.set({ [key]: !store.get()[key] }));
     on([key], (state) => set(state[key]));
     return button;
-  });
+  };
   const which = select('Cells to show', [
     ['all', 'all cells'], ['0.1', 'worst 10 %'], ['0.01', 'worst 1 %'], ['0.001', 'worst 0.1 %'], ['listed', 'listed worst cells'],
   ], (show) => store.set({ show }));
@@ -52,7 +51,9 @@ function showGroup(mesh, store, on) {
   on(['shrink'], (state) => shrink.set(1.3 - state.shrink));
   return h('section', { class: 'em-group', 'aria-label': 'Show' },
     h('h3', null, 'Show'),
-    h('div', { class: 'em-row' }, ...buttons, mesh.after && scale.element),
+    h('div', { class: 'em-row' }, ...flags.map(switchOf)),
+    mesh.after && h('div', { class: 'em-row' }, h('span', { class: 'em-what' }, 'Moves'),
+      switchOf(['vectors', 'Arrows', 'From where each vertex was to where it is (V)']), scale.element),
     h('div', { class: 'em-row' }, h('span', { class: 'em-what' }, 'Cells'), which.element),
     mesh.type !== 'volume' && h('div', { class: 'em-row' }, h('span', { class: 'em-what' }, 'Others'), others.element),
     h('label', { class: 'em-row' }, h('span', { class: 'em-what' }, 'Shrink'), shrink.element));

@@ -62,7 +62,7 @@ function chart({ key, title, log }, steps, history, theme) {
       cursor: { sync: { key: 'evenmesh' }, drag: { x: false, y: false }, points: { size: 7 } },
       scales: {
         x: { time: false },
-        y: logarithmic ? { distr: 3, log: 10, range: wholeDecades } : { range: { min: { pad: 0.1, soft: 0, mode: 1 }, max: { pad: 0.1 } } },
+        y: logarithmic ? { distr: 3, log: 10, range: roundRange } : { range: { min: { pad: 0.1, soft: 0, mode: 1 }, max: { pad: 0.1 } } },
       },
       axes: [
         { ...axis, incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000], size: 34 },
@@ -88,10 +88,16 @@ function chart({ key, title, log }, steps, history, theme) {
   };
 }
 
-function wholeDecades(_, low, high) {
+function roundRange(_, low, high) {
   if (!(low > 0)) return [0.1, 1];
   if (high / low > 100) return [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
-  return [low * 0.95, high * 1.05];
+  return [roundTo(low, [5, 2, 1], (step, x) => step <= x), roundTo(high, [1, 2, 5, 10], (step, x) => step >= x)];
+}
+
+/** The first of some steps, times a power of ten, that fits. */
+function roundTo(value, steps, fits) {
+  const decade = 10 ** Math.floor(Math.log10(value));
+  return decade * steps.find((step) => fits(step, value / decade * (steps[0] === 5 ? 1.001 : 0.999)));
 }
 
 function drawChanges(u, at, theme) {

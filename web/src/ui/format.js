@@ -6,7 +6,10 @@ export function number(value, digits = 4) {
   if (value === undefined || Number.isNaN(value)) return '–';
   if (value === 0) return '0';
   const size = Math.abs(value);
-  if (size >= 1e6 || size < 1e-4) return value.toExponential(2).replace('e+', 'e').replace('-', '−').replace('e-', 'e−');
+  if (size >= 1e6 || size < 1e-4) {
+    const [mantissa, exponent] = value.toExponential(digits - 2).split('e');
+    return `${Number(mantissa)}e${Number(exponent)}`.replaceAll('-', '−');
+  }
   const places = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
   return String(Number(value.toFixed(Math.min(places, 6)))).replace('-', '−');
 }

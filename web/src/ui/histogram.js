@@ -25,8 +25,8 @@ export function histogramPanel(store) {
   const shownCount = h('output', { class: 'em-hint em-count' });
   const element = h('div', null, chart,
     h('div', { class: 'em-row' }, low, h('span', { 'aria-hidden': 'true' }, '–'), high,
-      store.get().mode !== 'single' || store.get().rangeOf === 'after' ? whose.element : null, reset),
-    shownCount);
+      store.get().rangeOf === 'after' ? whose.element : null),
+    h('div', { class: 'em-row em-spread' }, shownCount, reset));
 
   let brush;
   const both = store.get().rangeOf === 'after';

@@ -3,7 +3,7 @@
 import { h, svg } from './dom.js';
 import { number, withUnit, words } from './format.js';
 import { colourAt, css, goodness, undefinedColour, undefinedStripe } from '../model/colour.js';
-import { holds, } from '../model/kinds.js';
+import { holds } from '../model/kinds.js';
 
 const steps = 64;
 
@@ -18,20 +18,42 @@ export function legend(store, palette) {
 }
 
 function colourBar(metric) {
-  const bar = svg('svg', { viewBox: `0 0 ${steps} 8`, preserveAspectRatio: 'none', class: 'em-colours', 'aria-hidden': 'true' },
+  const bar = svg('svg', { viewBox: `0 0 ${steps} 8`, preserveAspectRatio: 'none', class: 'em-colours', 'shape-rendering': 'crispEdges', 'aria-hidden': 'true' },
     ...Array.from({ length: steps }, (_, i) => svg('rect', {
-      x: i, y: 0, width: 1.05, height: 8, fill: css(colourAt(goodness(metric, (254 * (i + 0.5)) / steps))),
+      x: i, y: 0, width: 1, height: 8, fill: css(colourAt(goodness(metric, (254 * (i + 0.5)) / steps))),
     })));
   const swatch = svg('svg', { viewBox: '0 0 16 12', class: 'em-swatch', 'aria-hidden': 'true' },
     svg('rect', { width: 16, height: 12, fill: css(undefinedColour) }),
     ...[0, 8, 16].map((x) => svg('path', { d: `M${x - 4} 12l12 -12h-4l-12 12z`, fill: css(undefinedStripe) })));
   const hasUndefined = metric.before.includes(255) || metric.after.includes(255);
   const side = (value) => withUnit(number(value, 3), metric.unit);
-  return h('div', null,
-    h('div', { class: 'em-legend-title' }, words(metric.name), h('small', null, ` ${metric.better} is better`)),
-    bar,
-    h('div', { class: 'em-legend-ends' }, h('span', null, side(metric.low)), h('span', null, side(metric.high))),
-    hasUndefined && h('div', { class: 'em-legend-item' }, swatch, 'inverted or without size'));
+  return h('div', { class: 'em-legend-row' },
+    h('span', { class: 'em-legend-title' }, words(metric.name), h('small', null, ` ${metric.better} is better`)),
+    h('span', { class: 'em-legend-item' }, side(metric.low), bar, side(metric.high)),
+    hasUndefined && h('span', { class: 'em-legend-item' }, swatch, 'inverted or without size'));
+}
+
+/** The same on a 2D canvas, for pictures that leave the page. @param style  computed, for the colours */
+export function drawLegend(context, metric, { y, width, height }, style) {
+  context.fillStyle = style.backgroundColor;
+  context.fillRect(0, y, width, height);
+  context.font = '13px system-ui, sans-serif';
+  context.textBaseline = 'middle';
+  const middle = y + height / 2;
+  let x = 12;
+  const write = (text) => {
+    context.fillStyle = style.color;
+    context.fillText(text, x, middle);
+    x += context.measureText(text).width + 8;
+  };
+  write(`${words(metric.name)}, ${metric.better} is better:`);
+  write(withUnit(number(metric.low, 3), metric.unit));
+  for (let i = 0; i < 180; ++i) {
+    context.fillStyle = css(colourAt(goodness(metric, (254 * i) / 179)));
+    context.fillRect(x + i, middle - 6, 1.5, 12);
+  }
+  x += 188;
+  write(withUnit(number(metric.high, 3), metric.unit));
 }
 
 const shapes = [
@@ -44,7 +66,7 @@ const shapes = [
 ];
 
 function markList(colours) {
-  return h('ul', { class: 'em-legend-marks' }, ...shapes.map((d, hold) => d && h('li', { class: 'em-legend-item' },
+  return h('ul', { class: 'em-legend-row' }, ...shapes.map((d, hold) => d && h('li', { class: 'em-legend-item' },
     svg('svg', { viewBox: '0 0 12 12', class: 'em-swatch', 'aria-hidden': 'true' },
       svg('path', { d, fill: css(colours[hold]), class: 'em-mark-shape' })),
     holds[hold])).filter(Boolean));

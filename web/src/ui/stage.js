@@ -4,6 +4,7 @@ import { h, svg } from './dom.js';
 import { words } from './format.js';
 import { valueText } from './cell.js';
 import { listenToPointers } from './pointer.js';
+import { drawLegend } from './legend.js';
 import { makePanes, paneAspect, paneAt } from './panes.js';
 import { Scene } from '../gl/scene.js';
 import { poseAlong, View } from '../gl/camera.js';
@@ -17,7 +18,7 @@ import { spanAlong } from '../model/visibility.js';
  */
 export class Stage {
   /** @throws Error  if there is no WebGL 2 */
-  constructor(mesh, store, legend) {
+  constructor(mesh, store) {
     this.mesh = mesh;
     this.store = store;
     this.canvas = h('canvas', {
@@ -31,7 +32,7 @@ export class Stage {
     this.tip = h('div', { class: 'em-tip', hidden: true });
     this.triad = mesh.dimension === 3 && makeTriad();
     this.divider = h('div', { class: 'em-divider', hidden: true });
-    this.element = h('div', { class: 'em-stage' }, this.canvas, this.divider, ...this.labels, this.handle, legend.element,
+    this.element = h('div', { class: 'em-stage' }, this.canvas, this.divider, ...this.labels, this.handle,
       this.triad && this.triad.element, this.tip);
     this.size = { width: 0, height: 0 };
     this.drawn = 0;
@@ -243,14 +244,17 @@ export class Stage {
     return { x: x + width / 2 + dot(middle, right) * unit, y: y + height / 2 - dot(middle, up) * unit };
   }
 
-  /** The canvas as it is, with the labels, on a 2D canvas. */
+  /** The canvas as it is, with the labels and below it the meaning of the colours, on a 2D canvas. */
   snapshot() {
     this.draw();
-    const picture = h('canvas', { width: this.canvas.width, height: this.canvas.height });
+    const ratio = this.canvas.width / this.size.width;
+    const { values } = this.store.get();
+    const strip = values ? 34 : 0;
+    const picture = h('canvas', { width: this.canvas.width, height: this.canvas.height + strip * ratio });
     const context = picture.getContext('2d');
     context.drawImage(this.canvas, 0, 0);
-    const ratio = this.canvas.width / this.size.width;
     context.scale(ratio, ratio);
+    if (values) drawLegend(context, values, { y: this.size.height, width: this.size.width, height: strip }, getComputedStyle(this.element));
     context.font = '600 13px system-ui, sans-serif';
     for (const label of this.labels) {
       if (label.hidden) continue;

@@ -22,12 +22,19 @@ export function summary(report) {
 
 function headline({ run, verdicts = [], kind }) {
   const failed = verdicts.filter(({ pass }) => pass === false).length;
-  const tone = run && run.status !== 'ok' ? (run.status === 'failed' ? 'fail' : 'warn') : failed ? 'fail' : 'pass';
+  const tone = toneOfRun(run, failed);
   const status = run?.status ?? (failed ? 'not passed' : kind === 'check' ? 'checked' : 'compared');
   const message = run?.message ?? (failed
     ? `${failed} of ${verdicts.length} checks did not pass`
     : verdicts.some(({ pass }) => pass === true) ? 'All that was judged passed' : 'Measured; nothing was judged');
   return h('p', { class: 'em-headline' }, h('span', { class: `em-status em-${tone}` }, status), ' ', message);
+}
+
+/** A run that ended well and yet missed a demand is neither green nor red. */
+function toneOfRun(run, failed) {
+  if (!run) return failed ? 'fail' : 'pass';
+  if (run.status === 'failed') return 'fail';
+  return run.status === 'ok' && !failed ? 'pass' : 'warn';
 }
 
 function verdicts(list) {
