@@ -83,7 +83,7 @@ export async function pixels(page, places) {
     const copy = document.createElement('canvas');
     copy.width = image.width;
     copy.height = image.height;
-    const context = copy.getContext('2d');
+    const context = copy.getContext('2d', { willReadFrequently: true });
     context.drawImage(image, 0, 0);
     const ratio = image.width / canvas.clientWidth;
     return list.map(({ x, y }) => [...context.getImageData(Math.round(x * ratio), Math.round(y * ratio), 1, 1).data.slice(0, 3)]);

@@ -208,7 +208,7 @@ export class Stage {
     const { mesh, view } = this;
     const points = mesh.after ?? mesh.before;
     const target = middleOfCell(mesh, points, cell);
-    const pose = { target, halfHeight: 7 * cellSize(mesh, points, cell) };
+    const pose = { target, halfHeight: Math.min(7 * cellSize(mesh, points, cell), 0.5 * view.whole().halfHeight) };
     if (mesh.dimension === 3) {
       const normal = mesh.type === 'volume' ? outward(mesh, target) : normalOf(mesh, points, cell);
       // Of the two sides of a surface the one nearer to the eye.
