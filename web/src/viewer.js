@@ -38,7 +38,7 @@ export function hasWebGL() {
  * @param report   what #evenmesh-report holds, parsed
  * @param data     Uint8Array of what #evenmesh-data holds, decoded from base64
  * @param options  {keyTarget: where keys are listened to, default root}
- * @return         {state(), set(), select(), goTo(), project(), pick(), camera(), settled(), snapshot(), dispose()},
+ * @return         {state(), set(), select(), goTo(), project(), pick(), camera(), settled(), redraw(), snapshot(), canvas, dispose()},
  *                 see README.md, after the first picture is drawn
  * @throws CannotShow  no WebGL 2, or the data cannot be read
  */
@@ -102,6 +102,10 @@ export async function mountReport(root, report, data, { keyTarget = root } = {})
       azimuth: stage.view.azimuth, elevation: stage.view.elevation, flying: stage.view.flying,
     }),
     settled: () => settled(stage),
+    redraw() {
+      stage.draw();
+      stage.scene.finish();
+    },
     snapshot: () => stage.snapshot().toDataURL('image/png'),
     canvas: stage.canvas,
     dispose() {

@@ -391,7 +391,7 @@ check('keys reach everything, focus is seen, controls have names', async () => {
     assert.equal(await page.getAttribute('#evenmesh-app', 'data-theme'), 'dark');
 
     const nameless = await page.evaluate(() => [...document.querySelectorAll('#evenmesh-app :is(button, input, select, [role=slider], canvas)')]
-      .filter((e) => !(e.getAttribute('aria-label') || e.textContent.trim() || e.closest('label')?.textContent.trim())).map((e) => e.outerHTML));
+      .filter((e) => !(e.getAttribute('aria-label') || e.textContent.trim() || e.closest('label')?.textContent.trim() || e.closest('[role=img]'))).map((e) => e.outerHTML));
     assert.deepEqual(nameless, []);
     await page.keyboard.press('Tab');
     const outline = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);

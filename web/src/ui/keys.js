@@ -50,7 +50,7 @@ export function makeKeys({ mesh, store, stage, actions }) {
 export function listenToKeys(target, keys, canvas) {
   const listener = (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    if (event.target.closest?.('input:not([type=range]), select, textarea, dialog')) return;
+    if (event.target.closest?.('input:not([type=range]), select, textarea, dialog[open]')) return;
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const key = keys.find((candidate) => candidate.keys.includes(name));
     if (!key || (key.canvas && event.target !== canvas)) return;

@@ -4,7 +4,7 @@ import { h } from './dom.js';
 import { count } from './format.js';
 
 const marks = { pass: '✓', fail: '✗', none: '–' };
-const said = { pass: 'pass', fail: 'fail', none: 'not judged' };
+const readOut = { pass: 'pass', fail: 'fail', none: 'not judged' };
 const toneOf = (pass) => (pass === true ? 'pass' : pass === false ? 'fail' : 'none');
 
 /** Title, how it ended, what passed, what was done. */
@@ -15,26 +15,26 @@ export function summary(report) {
       verdicts(report.verdicts ?? [])),
     report.ledger?.length > 0 && h('div', { class: 'em-card' },
       h('h2', null, 'Geometry'),
-      h('dl', { class: 'em-ledger' }, ...report.ledger.flatMap(({ name, value }) =>
-        [h('dt', null, name), h('dd', null, value)]))),
+      h('dl', { class: `em-columns ${report.ledger.length > 6 ? 'em-two' : ''}` }, ...report.ledger.map(({ name, value }) =>
+        h('div', null, h('dt', null, name), h('dd', null, value))))),
     notes(report));
 }
 
-function headline({ run, verdicts = [], kind }) {
+function headline({ run, status: given = run?.status, message: said = run?.message, verdicts = [], kind }) {
   const failed = verdicts.filter(({ pass }) => pass === false).length;
-  const tone = toneOfRun(run, failed);
-  const status = run?.status ?? (failed ? 'not passed' : kind === 'check' ? 'checked' : 'compared');
-  const message = run?.message ?? (failed
+  const tone = toneOfRun(given, failed);
+  const status = given ?? (failed ? 'not passed' : kind === 'check' ? 'checked' : 'compared');
+  const message = said ?? (failed
     ? `${failed} of ${verdicts.length} checks did not pass`
     : verdicts.some(({ pass }) => pass === true) ? 'All that was judged passed' : 'Measured; nothing was judged');
   return h('p', { class: 'em-headline' }, h('span', { class: `em-status em-${tone}` }, status), ' ', message);
 }
 
 /** A run that ended well and yet missed a demand is neither green nor red. */
-function toneOfRun(run, failed) {
-  if (!run) return failed ? 'fail' : 'pass';
-  if (run.status === 'failed') return 'fail';
-  return run.status === 'ok' && !failed ? 'pass' : 'warn';
+function toneOfRun(status, failed) {
+  if (!status) return failed ? 'fail' : 'pass';
+  if (status === 'failed') return 'fail';
+  return status === 'ok' && !failed ? 'pass' : 'warn';
 }
 
 function verdicts(list) {
@@ -42,7 +42,7 @@ function verdicts(list) {
   return h('ul', { class: 'em-verdicts' }, ...list.map(({ name, pass, text }) => {
     const tone = toneOf(pass);
     return h('li', { class: `em-verdict-${tone}` },
-      h('span', { class: 'em-mark', role: 'img', 'aria-label': said[tone] }, marks[tone]),
+      h('span', { class: 'em-mark', role: 'img', 'aria-label': readOut[tone] }, marks[tone]),
       h('span', { class: 'em-verdict-name' }, name),
       h('span', { class: 'em-verdict-text' }, text));
   }));

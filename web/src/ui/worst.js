@@ -14,7 +14,7 @@ export function worstTable({ worst = [], mesh }, store, goTo) {
   return h('section', { class: 'em-card em-worst' },
     h('h2', null, 'Worst cells'),
     h('p', { class: 'em-hint' }, 'Choose one to see it. N and P go through the list.'),
-    h('div', { class: 'em-scroll' },
+    h('div', { class: 'em-scroll em-list' },
       h('table', { class: 'em-table' },
         h('thead', null, h('tr', null,
           h('th', { scope: 'col' }, 'cell'), h('th', { scope: 'col' }, 'kind'),
