@@ -11,6 +11,25 @@ import { verticesShown } from '../model/visibility.js';
 import { cellTexture, colourTexture, PointTextures } from './textures.js';
 import * as shaders from './shaders.js';
 
+/**
+ * Whether edges of what is drawn can be smoothed in time. A processor that stands in for graphics hardware takes more
+ * than twice as long with it, which is seconds for large meshes; the lines between cells are smooth anyway.
+ */
+function canSmooth(mesh) {
+  return mesh.cellCount < 50000 || !isSoftware();
+}
+
+function isSoftware() {
+  const context = document.createElement('canvas').getContext('webgl2');
+  let name = context.getParameter(context.RENDERER);
+  if (/^WebKit/.test(name)) {  // what Chromium says instead of the name
+    const extension = context.getExtension('WEBGL_debug_renderer_info');
+    if (extension) name = context.getParameter(extension.UNMASKED_RENDERER_WEBGL);
+  }
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
 const unit = (bytes) => new Vector3(...bytes).divideScalar(255);
 
 /**
@@ -22,7 +41,7 @@ export class Scene {
   constructor(canvas, mesh) {
     this.mesh = mesh;
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: canSmooth(mesh) });
     this.renderer.autoClear = false;
     this.textures = new PointTextures(mesh);
     this.cells = cellTexture(mesh.cellCount);

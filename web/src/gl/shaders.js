@@ -16,7 +16,8 @@ uniform float mixing;
 ivec2 texel(uint i) { return ivec2(int(i & 2047u), int(i >> 11u)); }
 vec3 pointOf(uint vertex) {
   ivec2 at = texel(vertex);
-  return mix(texelFetch(fromPoints, at, 0).xyz, texelFetch(toPoints, at, 0).xyz, mixing);
+  vec3 from = texelFetch(fromPoints, at, 0).xyz;
+  return mixing == 0.0 ? from : mix(from, texelFetch(toPoints, at, 0).xyz, mixing);
 }
 `;
 
