@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+import { CannotShow } from './cannot_show.js';
 import { makeArrays } from './data/decode.js';
 import { loadMesh } from './model/mesh.js';
 import { findVisible, spanAlong } from './model/visibility.js';
@@ -22,14 +23,7 @@ import { worstTable } from './ui/worst.js';
 const format = 1;
 const kindNames = { smooth: 'Smoothing', compare: 'Comparison', check: 'Check' };
 
-/** Why the page cannot be shown, in words for its reader. */
-export class CannotShow extends Error {}
-
-export function hasWebGL() {
-  const context = document.createElement('canvas').getContext('webgl2');
-  context?.getExtension('WEBGL_lose_context')?.loseContext();
-  return Boolean(context);
-}
+export { CannotShow };
 
 /**
  * Builds the interactive report inside an element.
@@ -46,8 +40,6 @@ export async function mountReport(root, report, data, { keyTarget = root } = {})
   if (report.format !== format) {
     throw new CannotShow(`This report has data format ${report.format}; this page reads format ${format}.`);
   }
-  if (!hasWebGL()) throw new CannotShow('The interactive view needs WebGL 2, which this browser does not offer.');
-
   const mesh = await loadMesh(report, makeArrays(report.arrays ?? {}, data));
   const store = makeStore(initialState(mesh));
   if (store.get().metric) store.set({ values: await mesh.metric(store.get().metric) });

@@ -80,6 +80,15 @@ test('only real edges are marked: not the diagonals of quads', async () => {
   assert.deepEqual([...corners], [0, 5, 1, 5, 2, 5, 0, 3, 2, 3, 3, 3]);
 });
 
+test('a concave quad is split where it folds, so that it covers only itself', async () => {
+  const shape = planarGrid(1);
+  // Corner 1 of the quad is pushed in across the diagonal from 0 to 2.
+  shape.before[1] = [0.3, 0.7, 0];
+  const mesh = await load(shape);
+  const corners = cornersOfFaces(mesh, findFaces(mesh), new Uint8Array(1).fill(1), false);
+  assert.deepEqual([...corners].filter((_, i) => i % 2 === 0), [1, 2, 3, 1, 3, 0]);
+});
+
 test('the worst share keeps undefined cells first, in both directions', () => {
   const values = Uint8Array.from([255, 10, 20, 30, 200, 210, 220, 230, 240, 250]);
   assert.deepEqual(worstRange({ better: 'higher' }, values, 0.3), [-1, 20]);

@@ -4,6 +4,7 @@ import {
   BufferAttribute, BufferGeometry, Color, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry, Mesh,
   Points, RawShaderMaterial, Scene as ThreeScene, Sphere, Vector2, Vector3, WebGLRenderer, WebGLRenderTarget,
 } from 'three';
+import { CannotShow } from '../cannot_show.js';
 import { cornersOfFaces, findFaces } from '../model/faces.js';
 import { edgesOfKind } from '../model/kinds.js';
 import { undefinedColour, undefinedStripe } from '../model/colour.js';
@@ -21,6 +22,7 @@ function canSmooth(mesh) {
 
 function isSoftware() {
   const context = document.createElement('canvas').getContext('webgl2');
+  if (!context) return true;
   let name = context.getParameter(context.RENDERER);
   if (/^WebKit/.test(name)) {  // what Chromium says instead of the name
     const extension = context.getExtension('WEBGL_debug_renderer_info');
@@ -30,6 +32,13 @@ function isSoftware() {
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
+/** Made once: the first context of a page can take most of a second. */
+function contextOf(canvas, mesh) {
+  const context = canvas.getContext('webgl2', { antialias: canSmooth(mesh) });
+  if (!context) throw new CannotShow('The interactive view needs WebGL 2, which this browser does not offer.');
+  return context;
+}
+
 const unit = (bytes) => new Vector3(...bytes).divideScalar(255);
 
 /**
@@ -37,11 +46,11 @@ const unit = (bytes) => new Vector3(...bytes).divideScalar(255);
  * selected cell. It is told everything; it decides nothing.
  */
 export class Scene {
-  /** @throws Error  if there is no WebGL 2 */
+  /** @throws CannotShow  there is no WebGL 2 */
   constructor(canvas, mesh) {
     this.mesh = mesh;
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: canSmooth(mesh) });
+    this.renderer = new WebGLRenderer({ canvas, context: contextOf(canvas, mesh) });
     this.renderer.autoClear = false;
     this.textures = new PointTextures(mesh);
     this.cells = cellTexture(mesh.cellCount);

@@ -108,14 +108,31 @@ export function cornersOfFaces(mesh, faces, shown, all) {
     const cell = chosen[i];
     const face = kinds[mesh.kind[cell]].faces[chosen[i + 1]];
     const first = mesh.first[cell];
-    const a = mesh.vertices[first + face[0]];
-    const b = mesh.vertices[first + face[1]];
-    const c = mesh.vertices[first + face[2]];
-    const quad = face.length === 4;
-    n = putTriangle(corners, n, a, b, c, 8 * cell + (quad ? 0b101 : 0b111));
-    if (quad) n = putTriangle(corners, n, a, c, mesh.vertices[first + face[3]], 8 * cell + 0b011);
+    let a = mesh.vertices[first + face[0]];
+    let b = mesh.vertices[first + face[1]];
+    let c = mesh.vertices[first + face[2]];
+    if (face.length === 3) {
+      n = putTriangle(corners, n, a, b, c, 8 * cell + 0b111);
+      continue;
+    }
+    let d = mesh.vertices[first + face[3]];
+    if (foldsAtDiagonal(mesh.before, a, b, c, d) || (mesh.after && foldsAtDiagonal(mesh.after, a, b, c, d))) {
+      [a, b, c, d] = [b, c, d, a];
+    }
+    n = putTriangle(corners, n, a, b, c, 8 * cell + 0b101);
+    n = putTriangle(corners, n, a, c, d, 8 * cell + 0b011);
   }
   return corners;
+}
+
+/** Whether a quad is concave so that its triangles beside the diagonal from a to c would cover more than the quad. */
+function foldsAtDiagonal(points, a, b, c, d) {
+  const at = (v, axis) => points[4 * v + axis] - points[4 * a + axis];
+  const [bx, by, bz] = [at(b, 0), at(b, 1), at(b, 2)];
+  const [cx, cy, cz] = [at(c, 0), at(c, 1), at(c, 2)];
+  const [dx, dy, dz] = [at(d, 0), at(d, 1), at(d, 2)];
+  return (by * cz - bz * cy) * (cy * dz - cz * dy) + (bz * cx - bx * cz) * (cz * dx - cx * dz) +
+    (bx * cy - by * cx) * (cx * dy - cy * dx) < 0;
 }
 
 function putTriangle(corners, n, a, b, c, cellAndEdges) {

@@ -17,7 +17,7 @@ import { spanAlong } from '../model/visibility.js';
  * something has changed, and only then.
  */
 export class Stage {
-  /** @throws Error  if there is no WebGL 2 */
+  /** @throws CannotShow  there is no WebGL 2 */
   constructor(mesh, store) {
     this.mesh = mesh;
     this.store = store;
