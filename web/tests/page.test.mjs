@@ -510,6 +510,7 @@ check('command and record are copied', async () => {
     await page.click('button:has-text("Copy command")');
     await page.waitForSelector('button:has-text("Copied")');
     await page.click('summary');
+    await page.waitForFunction(() => document.querySelector('.em-json').textContent);
     assert.equal(JSON.parse(await page.textContent('.em-json')).status, 'ok');
   }, { permissions: ['clipboard-read', 'clipboard-write'] });
 });
