@@ -92,6 +92,21 @@ for (const [name, make, cells] of [
   });
 }
 
+check('where cells of a plane lie on each other, the one turned over is on top', async () => {
+  const square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]];
+  const shape = { name: 'shape', better: 'higher', unit: '', low: 0, high: 1, before: [NaN, 0.9], after: [0.9, 0.2] };
+  await withReport({
+    dimension: 2, type: 'planar', before: square, after: square, metrics: [shape],
+    cells: [{ kind: 1, vertices: [0, 3, 2, 1], flags: 1 }, { kind: 1, vertices: [0, 1, 2, 3] }],
+  }, async (page) => {
+    const seen = await page.evaluate(() => ['before', 'after'].map((side) => {
+      const { x, y } = window.evenmesh.project(0, side);
+      return window.evenmesh.pick(x, y);
+    }));
+    assert.deepEqual(seen, [0, 1]);
+  });
+});
+
 check('a surface picks the front cell at the middle of each cell that faces the eye', async () => {
   const mesh = bumpyBall(12, { shake: 0 });
   await withReport(mesh, async (page) => {

@@ -86,6 +86,7 @@ export class Scene {
       lowerIsBetter: u(false),
       hasValues: u(false),
       shading: u(this.mesh.dimension === 2 ? 0 : 1),
+      planar: u(this.mesh.dimension === 2),
       showEdges: u(true),
       pixelRatio: u(1),
       viewport: u(new Vector2()),

@@ -33,6 +33,7 @@ uniform bool lowerIsBetter;
 uniform vec3 fadedColour;
 uniform vec3 plainColour;
 uniform bool hasValues;
+uniform bool planar;
 out vec3 viewPoint;
 out vec3 weights;
 flat out vec3 colour;
@@ -69,6 +70,8 @@ void main() {
   colour = hasValues ? texelFetch(colours, ivec2(int(good * 255.0 + 0.5), 0), 0).rgb : plainColour;
   if (look == 1 && hasValues && nearest == 255u) look = 3;
   if (look == 2) colour = fadedColour;
+  // Cells that lie on each other in a plane: the worst on top, or those turned over would be hidden.
+  if (planar && look != 2) gl_Position.z -= look == 3 ? 3e-4 : 2e-4 * (1.0 - good);
 }`;
 
 export const cellsFragment = `${head}
