@@ -56,7 +56,7 @@ std::string planes_of(std::span<const std::uint32_t> values, int planes) {
 }
 
 std::string deflated(std::string_view bytes, int strategy) {
-  constexpr int kLevel = 9;
+  constexpr int kLevel = 6;
   constexpr int kWindowBits = 15;
   constexpr int kMemoryLevel = 9;
   z_stream stream{};

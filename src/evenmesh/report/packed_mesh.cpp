@@ -74,7 +74,8 @@ class Packer {
   void pack_mesh() {
     pack_positions();
     pack_cells();
-    pack_numbers();
+    pack_number("cell_id", result_.cells, shown_.cell_number);
+    pack_number("vertex_id", vertices_, shown_.vertex_number);
     pack_marks();
     pack_feature_edges();
   }
@@ -91,6 +92,12 @@ class Packer {
     if (!add(std::move(arrays), budget)) return false;
     result_.metrics.push_back(metric);
     return true;
+  }
+
+  void drop_vertex_numbers() {
+    if (std::erase_if(result_.arrays, [](const NamedArray& a) { return a.name == "vertex_id"; })) {
+      result_.notes.emplace_back("Vertices have no numbers here: they would not fit.");
+    }
   }
 
   bool add_iterates(std::size_t budget) {
@@ -203,11 +210,6 @@ class Packer {
     add(name, pack(numbers, 1, Rule::delta));
   }
 
-  void pack_numbers() {
-    pack_number("cell_id", result_.cells, shown_.cell_number);
-    pack_number("vertex_id", vertices_, shown_.vertex_number);
-  }
-
   void pack_marks() {
     Numbers flags;
     for (const std::uint32_t c : result_.cells) {
@@ -271,8 +273,10 @@ class Fitting {
     all = in_display_order(std::move(all));
     for (const Fineness& fineness : {kFine, kCoarse}) {
       Packer packer = pack(all, fineness);
+      const bool coarse = fineness.steps_per_box == kCoarse.steps_per_box;
+      if (coarse && packer.bytes() > budget_) packer.drop_vertex_numbers();
       if (packer.bytes() > budget_) continue;
-      return finish(std::move(packer), count, fineness.steps_per_box == kCoarse.steps_per_box);
+      return finish(std::move(packer), count, coarse);
     }
     return fit_some();
   }
@@ -346,25 +350,26 @@ class Fitting {
       return in_display_order({importance.cells.begin(),
                                importance.cells.begin() + static_cast<std::ptrdiff_t>(count)});
     };
-    constexpr int kAttempts = 6;
-    constexpr double kGoodEnough = 0.93;
+    constexpr int kAttempts = 6;  // and more until something fits
+    constexpr double kGoodEnough = 0.9;
+    const auto budget = static_cast<double>(budget_);
     std::size_t fits = 0;
     std::size_t too_many = importance.outer + 1;
     std::size_t count = importance.outer;
-    for (int i = 0; i < kAttempts && fits + 1 < too_many; ++i) {
-      const auto bytes = static_cast<double>(pack(first(count), kCoarse).bytes());
-      const double budget = static_cast<double>(budget_);
-      if (bytes <= budget) {
-        fits = count;
-        if (count == importance.outer || bytes >= kGoodEnough * budget) break;
-      } else {
-        too_many = count;
-      }
-      const double guess = 0.97 * static_cast<double>(count) * budget / std::max(bytes, 1.0);
-      count =
-          std::clamp(static_cast<std::size_t>(guess), fits + (too_many - fits) / 8, too_many - 1);
+    for (int i = 0; count > fits && (i < kAttempts || fits == 0); ++i) {
+      Packer packer = pack(first(count), kCoarse);
+      packer.drop_vertex_numbers();
+      const auto bytes = static_cast<double>(packer.bytes());
+      (bytes <= budget ? fits : too_many) = count;
+      if (fits == importance.outer || (fits == count && bytes >= kGoodEnough * budget)) break;
+      // Fewer cells share fewer vertices and take more bytes each.
+      const double part = std::min(0.97 * budget / bytes, fits == 0 ? 0.7 : 1.0);
+      const auto guess = static_cast<std::size_t>(part * static_cast<double>(count));
+      count = fits == 0 ? guess : (fits + too_many) / 2;
     }
-    return finish(pack(first(fits), kCoarse), shown_.before.cells().size(), true);
+    Packer packer = pack(first(fits), kCoarse);
+    packer.drop_vertex_numbers();
+    return finish(std::move(packer), shown_.before.cells().size(), true);
   }
 
   const ShownMesh& shown_;

@@ -42,8 +42,9 @@ struct PackedMesh {
 };
 
 /// Packs as much of a mesh as fits. What does not is left out in this order, and notes say so:
-/// iterates; metrics other than shape, the last first; then the grid is coarser; then cells inside
-/// volumes, but for the worst and their neighbours; then others, as rank_cells() has them.
+/// iterates; metrics other than shape, the last first; then the grid is coarser; then the numbers
+/// of vertices; then cells inside volumes, but for the worst and their neighbours; then others, as
+/// rank_cells() has them.
 /// @param budget  bytes for the arrays; they may take more only if not one cell fits
 PackedMesh pack_mesh(const ShownMesh& shown, std::size_t budget);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "evenmesh/report/static_page.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -119,15 +120,21 @@ std::string figure(const std::string& picture, std::string_view caption) {
   return fmt::format("<figure>\n{}<figcaption>{}</figcaption></figure>\n", picture, caption);
 }
 
-// Smaller and smaller until it is small.
+// Smaller and smaller until it is small. Pixels of a mesh with far more cells than these take about
+// six bytes each: what would be too large is not tried, as drawing takes its time.
 std::string mesh_figure(const ShownMesh& mesh, std::size_t most_bytes) {
+  constexpr double kWidest = 420.0;
+  constexpr double kNarrowest = 100.0;
+  constexpr double kBytesPerPixel = 6.0;
   std::vector<Panel> panels{{mesh.has_after() ? "before" : "", mesh.before.points()}};
   if (mesh.has_after()) panels.push_back({"after", mesh.after});
   MeshPictureOptions options{.edge_budget = 4'000, .cell_budget = 8'000};
-  const std::size_t cells = mesh.before.cells().size();
-  for (const double width : {420.0, 280.0, 180.0, 120.0}) {
-    // Drawing a large mesh takes its time: what would be too large in any case is not tried.
-    if (cells > 200'000 && width > 300.0) continue;
+  double width = kWidest;
+  if (mesh.before.cells().size() > 20 * options.cell_budget) {
+    const auto pixels = static_cast<double>(most_bytes) / kBytesPerPixel;
+    width = std::min(width, std::sqrt(pixels / static_cast<double>(panels.size())));
+  }
+  for (; width >= kNarrowest; width *= 0.7) {
     options.panel_width = width;
     std::string picture = mesh_picture(mesh.before, mesh.orientation, panels, options);
     if (picture.size() <= most_bytes) return picture;
