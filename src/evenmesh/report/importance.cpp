@@ -17,7 +17,7 @@ class Ranking {
       : shown_(shown), cells_(shown.before.cells()), taken_(cells_.size(), 0) {}
 
   Importance rank() && {
-    const std::vector<std::size_t> worst = worst_cells(shown_.quality(), kImportantCells);
+    const std::vector<std::size_t> worst = worst_cells(shown_.quality(), important(cells_.size()));
     for (const std::size_t c : worst) take(c);
     take_around(vertices_of(worst));
     take_around(farthest_moved());
@@ -52,7 +52,7 @@ class Ranking {
     std::vector<Index> vertices(before.size());
     std::iota(vertices.begin(), vertices.end(), Index{0});
     const auto move = [&](Index v) { return (shown_.after[v] - before[v]).squaredNorm(); };
-    const std::size_t count = std::min(kImportantCells, vertices.size());
+    const std::size_t count = std::min(important(cells_.size()), vertices.size());
     std::partial_sort(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(count),
                       vertices.end(), [&](Index a, Index b) {
                         const double p = move(a);
