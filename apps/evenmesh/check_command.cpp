@@ -36,7 +36,7 @@ void write_html(const CheckArguments& arguments, const Input& input, const CellQ
 int check_command(const CheckArguments& arguments, const Console& console) {
   constexpr std::size_t kShown = 10;
   check(Options{.threads = arguments.threads});
-  check_report_path("--report", arguments.html.path, {arguments.input.path});
+  check_html_path("--report", arguments.html.path, {arguments.input.path});
   const Input input = load(arguments.input, console);
   Workers workers(arguments.threads);
   const Mesh& mesh = input.file.mesh;

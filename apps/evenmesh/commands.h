@@ -41,7 +41,7 @@ struct SmoothArguments {
   bool keep_partial = false;
   std::string json;  // empty: none; "-": stdout
   HtmlArguments html;
-  int keep_iterates = 0;  // how many positions on the way the report in HTML has
+  int keep_iterates = 0;  // of these the report in HTML has the positions
   std::string plot;       // a folder for pictures; empty: none
   std::string config;     // a TOML file; empty: none
   bool dry_run = false;

@@ -43,7 +43,7 @@ std::string difference(const Input& before, const Input& after) {
 
 int compare_command(const CompareArguments& arguments, const Console& console) {
   check(Options{.threads = arguments.threads});
-  check_report_path("--output", arguments.html.path, {arguments.before.path, arguments.after});
+  check_html_path("--output", arguments.html.path, {arguments.before.path, arguments.after});
   const Input before = load(arguments.before, console);
   InputArguments of_after = arguments.before;
   of_after.path = arguments.after;

@@ -108,6 +108,10 @@ void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
   app.add_flag("--keep-partial", smooth.keep_partial, "on Ctrl-C write the best mesh so far");
   app.add_option("--json", smooth.json, "write a report in JSON to this file (-: to stdout)");
   add_html(app, smooth.html);
+  app.add_option("--keep-iterates", smooth.keep_iterates,
+                 "of small meshes, show positions at so many iterations in the report (0: none)")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
   app.add_option("--plot", smooth.plot,
                  "write pictures (SVG) of convergence, quality and the mesh into this folder");
   app.add_option("--config", smooth.config,

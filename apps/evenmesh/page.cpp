@@ -194,8 +194,9 @@ void add_run(const RunRecord& record, const RunFacts& facts, ReportPage& page) {
                                          report.deviation, facts.max_deviation)});
   }
   if (report.unmet > 0) {
-    page.verdicts.push_back(
-        {"demands met", false, count_of(report.unmet, "demand is not", "demands are not")});
+    page.verdicts.push_back({"demands met",
+                             facts.fails_demand ? std::optional(false) : std::nullopt,
+                             count_of(report.unmet, "demand is not", "demands are not")});
   }
   if (record.output.empty()) {
     page.verdicts.push_back({"file written", std::nullopt, "nothing was written"});

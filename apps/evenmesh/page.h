@@ -47,7 +47,8 @@ struct RunFacts {
   std::string target = {};      // "shape>=0.3"; empty: none
   std::size_t below_target = 0;
   double max_deviation = std::numeric_limits<double>::infinity();
-  bool same_shape = true;  // nothing was prescribed, so that quality and deviation count
+  bool fails_demand = false;  // one that somebody asked for
+  bool same_shape = true;     // nothing was prescribed, so that quality and deviation count
   bool allows_worse = false;
 };
 

@@ -9,13 +9,19 @@
 #include <unistd.h>
 
 #include "evenmesh/base/error.h"
+#include "evenmesh/io/output_file.h"
 
 namespace evenmesh::app {
 namespace {
 
+// Two names of one file, be it there or not yet.
 bool same_file(const std::string& a, const std::string& b) {
-  std::error_code ignored;  // one that is not there is not the other
-  return a == b || std::filesystem::equivalent(a, b, ignored);
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (a.empty() || b.empty()) return false;
+  if (a == b || fs::equivalent(a, b, ignored)) return true;
+  const fs::path whole_a = fs::weakly_canonical(fs::absolute(a, ignored), ignored);
+  return !whole_a.empty() && whole_a == fs::weakly_canonical(fs::absolute(b, ignored), ignored);
 }
 
 }  // namespace
@@ -48,7 +54,7 @@ void check_report_path(const std::string& option, const std::string& path,
                        const std::vector<std::string>& meshes) {
   if (path.empty()) return;
   for (const std::string& mesh : meshes) {
-    if (mesh.empty() || !same_file(path, mesh)) continue;
+    if (!same_file(path, mesh)) continue;
     throw InvalidOption(
         fmt::format("{} {} would overwrite the mesh; give it another name", option, path));
   }
@@ -67,13 +73,20 @@ void check_report_path(const std::string& option, const std::string& path,
   }
 }
 
+void check_html_path(const std::string& option, const std::string& path,
+                     const std::vector<std::string>& meshes) {
+  if (path.empty()) return;
+  check_report_path(option, path, meshes);
+  const OutputFile probe{path};
+}
+
 void check_report_paths(const SmoothArguments& arguments, const std::string& output) {
   const std::vector<std::string> meshes{arguments.input.path, output};
   const std::string& json = arguments.json;
   const std::string& html = arguments.html.path;
   if (json != "-") check_report_path("--json", json, meshes);
-  check_report_path("--report", html, meshes);
-  if (html.empty() || json.empty() || json == "-" || !same_file(html, json)) return;
+  check_html_path("--report", html, meshes);
+  if (json == "-" || !same_file(html, json)) return;
   throw InvalidOption(fmt::format("--report and --json are both {}; give one another name", html));
 }
 

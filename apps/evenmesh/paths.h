@@ -22,6 +22,10 @@ std::string output_path(const SmoothArguments& arguments);
 void check_report_path(const std::string& option, const std::string& path,
                        const std::vector<std::string>& meshes);
 
+/// The same for one in HTML, which appears complete or not at all: its folder must allow that.
+void check_html_path(const std::string& option, const std::string& path,
+                     const std::vector<std::string>& meshes);
+
 /// The paths of all reports of a run: those in JSON and HTML must not be the same file.
 void check_report_paths(const SmoothArguments& arguments, const std::string& output);
 

@@ -40,8 +40,8 @@ std::vector<std::pair<std::string, std::string>> chosen_options(const SmoothArgu
                                                                 const Problem& problem) {
   std::vector<std::pair<std::string, std::string>> result;
   for (const auto& [key, value] : arguments.effective) {
-    constexpr std::string_view kWithoutEffect[] = {"quiet",  "verbose",       "json", "plot",
-                                                   "report", "report-max-mb", "cost"};
+    constexpr std::string_view kWithoutEffect[] = {
+        "quiet", "verbose", "json", "plot", "report", "report-max-mb", "keep-iterates", "cost"};
     if (std::ranges::find(kWithoutEffect, key) != std::end(kWithoutEffect)) continue;
     result.emplace_back(key, value);
   }

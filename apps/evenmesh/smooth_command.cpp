@@ -15,6 +15,7 @@
 #include "apps/evenmesh/exit_code.h"
 #include "apps/evenmesh/expression.h"
 #include "apps/evenmesh/holders.h"
+#include "apps/evenmesh/iterates.h"
 #include "apps/evenmesh/outcome.h"
 #include "apps/evenmesh/page.h"
 #include "apps/evenmesh/paths.h"
@@ -307,12 +308,14 @@ class Run {
       return !interrupted_();
     };
     options_.interrupted = interrupted_;
+    keep_iterates();
     try {
       record_.report = smooth(result_, problem_, options_);
     } catch (const InvalidOption& error) {  // the options are right, so it is about the mesh
       throw InvalidOption(fmt::format("{}: {}", arguments_.input.path, error.what()));
     }
     solved_ = true;
+    if (!record_.report.history.empty()) iterates_.end_at(record_.report.history.back().number);
     console_.end_progress();
     if (!std::isfinite(record_.report.cost_before)) {
       throw InvalidOption(
@@ -321,6 +324,24 @@ class Run {
                       arguments_.input.path));
     }
     if (console_.verbose()) print_history();
+  }
+
+  // Of large meshes they would take more memory than the mesh and not fit into the report.
+  void keep_iterates() {
+    constexpr std::size_t kMostNumbers = 4'000'000;
+    if (arguments_.keep_iterates == 0 || arguments_.html.path.empty()) return;
+    const auto count = static_cast<std::size_t>(arguments_.keep_iterates);
+    if (count * input_.file.mesh.point_count() > kMostNumbers) {
+      record_.notes.push_back(
+          fmt::format("Iterates were not kept: {} of {} are more than a report can hold.", count,
+                      count_of(input_.file.mesh.point_count(), "vertex", "vertices")));
+      console_.say("note: " + record_.notes.back());
+      return;
+    }
+    iterates_ = Iterates(count);
+    options_.watch = [this](const Iteration& iteration, Points points) {
+      iterates_.add(iteration.number, points);
+    };
   }
 
   void finish() {
@@ -531,10 +552,12 @@ class Run {
     page.status = record_.status;
     page.message = record_.message;
     page.command = record_.command;
+    page.notes = record_.notes;
     page.run = &record_;
     if (solved_) {
       shown.after = result_.points();
       shown.quality_after = &after_;
+      shown.iterates = iterates_.kept();
       page.after = summarize(workers, after_);
       add_run(record_, facts(), page);
       if (record_.output.empty() && record_.report.moved > 0) {
@@ -554,6 +577,7 @@ class Run {
   RunFacts facts() const {
     RunFacts facts{.target = arguments_.target,
                    .max_deviation = problem_.max_deviation,
+                   .fails_demand = fails_a_demand(arguments_.constraints, record_.report.holding),
                    .same_shape = problem_.targets.empty(),
                    .allows_worse = arguments_.allow_worse};
     const Points before = input_.file.mesh.points();
@@ -582,6 +606,7 @@ class Run {
   Input input_;
   Problem problem_;
   Mesh result_;
+  Iterates iterates_;
   bool loaded_ = false;
   bool solved_ = false;
   CellQuality before_;  // for reports
