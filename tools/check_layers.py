@@ -23,7 +23,7 @@ MAY_INCLUDE = {
     "problem": "base geometry mesh cost constraint",
     "classic": "base geometry mesh quality constraint",
     "solver": "base geometry mesh quality cost constraint problem classic",
-    "report": "base mesh quality problem solver",
+    "report": "base mesh quality problem solver plot",
     "plot": "base geometry mesh quality problem solver",
 }
 

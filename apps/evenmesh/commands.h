@@ -12,6 +12,12 @@
 
 namespace evenmesh::app {
 
+/// A report in HTML.
+struct HtmlArguments {
+  std::string path;      // empty: none
+  double most_mb = 8.0;  // of the file, 10^6 bytes
+};
+
 struct SmoothArguments {
   InputArguments input;
   std::string output;
@@ -33,9 +39,11 @@ struct SmoothArguments {
   bool only_failing = false;
   int layers = 2;  // of vertices around failing cells that may move
   bool keep_partial = false;
-  std::string json;    // empty: none; "-": stdout
-  std::string plot;    // a folder for pictures; empty: none
-  std::string config;  // a TOML file; empty: none
+  std::string json;  // empty: none; "-": stdout
+  HtmlArguments html;
+  int keep_iterates = 0;  // of these the report in HTML has the positions
+  std::string plot;       // a folder for pictures; empty: none
+  std::string config;     // a TOML file; empty: none
   bool dry_run = false;
   std::string command;  // the whole command line
   /// What holds in the end, from the command line, a file or by default: names and values in TOML.
@@ -47,9 +55,28 @@ struct SmoothArguments {
 int smooth_command(const SmoothArguments& arguments, Console& console,
                    const std::function<bool()>& interrupted);
 
+struct CheckArguments {
+  InputArguments input;
+  HtmlArguments html;
+  int threads = 0;
+  std::string command;  // the whole command line
+};
+
 /// Measures a file: quality table and worst cells. kBelowTarget if a cell is inverted or has no
 /// size.
-int check_command(const InputArguments& arguments, int threads, const Console& console);
+int check_command(const CheckArguments& arguments, const Console& console);
+
+struct CompareArguments {
+  InputArguments before;
+  std::string after;
+  HtmlArguments html;
+  int threads = 0;
+  std::string command;  // the whole command line
+};
+
+/// Writes a report on two files with the same cells.
+/// @throws InvalidOption  their cells are not the same
+int compare_command(const CompareArguments& arguments, const Console& console);
 
 /// Says what is in a file.
 int info_command(const InputArguments& arguments, const Console& console);

@@ -34,6 +34,7 @@ extern "C" void on_interrupt(int signal) {
 constexpr const char* kExamples = R"(Examples:
   evenmesh part.obj -o even.obj          make it even; shape, features and groups are kept
   evenmesh check part.stl                measure it; exit code 4 if a cell is inverted
+  evenmesh report a.obj b.obj -o r.html  see how two files with the same cells differ
   evenmesh grid.obj -o out.obj --cost local=0.3,barycenter=0.3 --fix boundary
 
 Makes the cells of a mesh even by moving its vertices, never its connectivity, and never
@@ -80,8 +81,8 @@ std::string misplaced_option(CLI::App& app) {
 }
 
 std::string neither(const std::string& word) {
-  return fmt::format("'{}' is neither a file nor a command; the commands are check, info and demo",
-                     word);
+  return fmt::format(
+      "'{}' is neither a file nor a command; the commands are check, info, report and demo", word);
 }
 
 // What the parser makes of a misspelt verb ("too many files") is no help.
@@ -97,10 +98,12 @@ int wrong_usage(const std::string& what) {
 
 int run(int argc, char** argv) {
   SmoothArguments smooth;
+  CheckArguments checked;
   InputArguments inspected;
+  CompareArguments compared;
   DemoArguments shown;
   CommonArguments common;
-  smooth.command = command_line(argc, argv);
+  smooth.command = checked.command = compared.command = command_line(argc, argv);
 
   CLI::App app{kExamples, "evenmesh"};
   app.footer(kExitCodes);
@@ -111,14 +114,22 @@ int run(int argc, char** argv) {
   add_common(app, common);
 
   CLI::App* check = app.add_subcommand("check", "measure the cells of a mesh");
-  add_input(*check, inspected, true);
+  add_input(*check, checked.input, true);
+  add_html(*check, checked.html);
   CLI::App* info = app.add_subcommand("info", "say what is in a mesh file");
   add_input(*info, inspected, true);
+  CLI::App* report = app.add_subcommand(
+      "report", "show in a browser how two files with the same cells differ (HTML)");
+  report->add_option("BEFORE", compared.before.path, "a mesh file")->required();
+  report->add_option("AFTER", compared.after, "one with the same cells")->required();
+  report->add_option("-o,--output", compared.html.path, "the report to write")->required();
+  add_html_size(*report, compared.html);
+  add_analysis(*report, compared.before);
   CLI::App* demo = app.add_subcommand("demo", "repeat figures of the paper, and write pictures");
   demo->add_option("figures", shown.figures, "fig5 ... fig31, all, or list; none: fig5 fig7 fig9");
   demo->add_option("-o,--output", shown.folder, "a folder for pictures; none: no files")
       ->type_name("FOLDER");
-  for (CLI::App* verb : {check, info, demo}) add_common(*verb, common);
+  for (CLI::App* verb : {check, info, report, demo}) add_common(*verb, common);
 
   try {
     app.parse(argc, argv);
@@ -139,7 +150,9 @@ int run(int argc, char** argv) {
   Console console(common.quiet     ? Verbosity::quiet
                   : common.verbose ? Verbosity::verbose
                                    : Verbosity::normal);
-  if (*check) return check_command(inspected, common.threads, console);
+  checked.threads = compared.threads = common.threads;
+  if (*check) return check_command(checked, console);
+  if (*report) return compare_command(compared, console);
   if (*info) return info_command(inspected, console);
   if (*demo) return demo_command(shown, console);
   if (smooth.input.path.empty()) {

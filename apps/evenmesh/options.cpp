@@ -8,6 +8,10 @@ namespace evenmesh::app {
 void add_input(CLI::App& app, InputArguments& input, bool required) {
   auto* path = app.add_option("IN", input.path, "the mesh file: OBJ or STL");
   if (required) path->required();
+  add_analysis(app, input);
+}
+
+void add_analysis(CLI::App& app, InputArguments& input) {
   app.add_option("--feature-angle", input.feature_angle,
                  "edges with a greater dihedral angle are features, in degrees")
       ->capture_default_str();
@@ -103,12 +107,30 @@ void add_smooth_options(CLI::App& app, SmoothArguments& smooth) {
                "let quality get worse where the cost asks for it; cells still never turn over");
   app.add_flag("--keep-partial", smooth.keep_partial, "on Ctrl-C write the best mesh so far");
   app.add_option("--json", smooth.json, "write a report in JSON to this file (-: to stdout)");
+  add_html(app, smooth.html);
+  app.add_option("--keep-iterates", smooth.keep_iterates,
+                 "of small meshes, show positions at so many iterations in the report (0: none)")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
   app.add_option("--plot", smooth.plot,
                  "write pictures (SVG) of convergence, quality and the mesh into this folder");
   app.add_option("--config", smooth.config,
                  "options from a TOML file; those given here win over it");
   app.add_flag("--dry-run", smooth.dry_run,
                "print the constraints and options that would hold, as TOML, and write nothing");
+}
+
+void add_html(CLI::App& app, HtmlArguments& html) {
+  app.add_option("--report", html.path, "write a report to look at in a browser (HTML)");
+  add_html_size(app, html);
+}
+
+void add_html_size(CLI::App& app, HtmlArguments& html) {
+  app.add_option("--report-max-mb", html.most_mb,
+                 "how large that may get; of large meshes it shows less, and says so")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->option_text("MB")
+      ->capture_default_str();
 }
 
 void add_common(CLI::App& app, CommonArguments& common) {

@@ -19,7 +19,12 @@ struct CommonArguments {
 };
 
 void add_input(CLI::App& app, InputArguments& input, bool required);
+/// What of these is not the file.
+void add_analysis(CLI::App& app, InputArguments& input);
 void add_smooth_options(CLI::App& app, SmoothArguments& smooth);
+/// --report and what belongs to it.
+void add_html(CLI::App& app, HtmlArguments& html);
+void add_html_size(CLI::App& app, HtmlArguments& html);
 void add_common(CLI::App& app, CommonArguments& common);
 
 /// The options that are given or have a default, by their name in a configuration file, with their

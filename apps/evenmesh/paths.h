@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "apps/evenmesh/commands.h"
 
@@ -13,10 +14,19 @@ namespace evenmesh::app {
 std::string output_path(const SmoothArguments& arguments);
 
 /// Finds out before the work whether a report can be written.
-/// @param json  where it goes; empty and "-" (stdout) are always right
-/// @throws InvalidOption  that is the input or the output
+/// @param option  that asks for it: "--json"
+/// @param path    where it goes; empty: it is not asked for
+/// @param meshes  that it must not overwrite
+/// @throws InvalidOption  it is one of these
 /// @throws IoError        its folder is not there, or it may not be written
-void check_report_path(const std::string& json, const std::string& input,
-                       const std::string& output);
+void check_report_path(const std::string& option, const std::string& path,
+                       const std::vector<std::string>& meshes);
+
+/// The same for one in HTML, which appears complete or not at all: its folder must allow that.
+void check_html_path(const std::string& option, const std::string& path,
+                     const std::vector<std::string>& meshes);
+
+/// The paths of all reports of a run: those in JSON and HTML must not be the same file.
+void check_report_paths(const SmoothArguments& arguments, const std::string& output);
 
 }  // namespace evenmesh::app

@@ -54,12 +54,11 @@ bool make_folder(const fs::path& path) {
 
 }  // namespace
 
-void check_plot_folder(const std::string& folder, const std::string& input,
-                       const std::string& output, const std::string& json) {
+void check_plot_folder(const std::string& folder, const std::vector<std::string>& others) {
   if (folder.empty()) return;
   const fs::path path = folder_path(folder);
   for (const char* name : {kConvergence, kQuality, kMesh}) {
-    for (const std::string& other : {input, output, json}) {
+    for (const std::string& other : others) {
       if (!same_file(path / name, other)) continue;
       throw InvalidOption(
           fmt::format("--plot {} would overwrite {}; choose another folder", folder, other));

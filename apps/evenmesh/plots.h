@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "evenmesh/base/vec3.h"
 #include "evenmesh/mesh/mesh.h"
@@ -15,10 +16,10 @@ namespace evenmesh::app {
 /// Finds out before the work whether the pictures can be written. Leaves nothing behind.
 /// @param folder  where they go; need not be there if the folder around it is. Empty: none are
 ///                asked for
-/// @throws InvalidOption  a picture would overwrite the input, the output or the report
+/// @param others  other files that the run reads or writes
+/// @throws InvalidOption  a picture would overwrite one of them
 /// @throws IoError        the folder or a picture in it cannot be written
-void check_plot_folder(const std::string& folder, const std::string& input,
-                       const std::string& output, const std::string& json);
+void check_plot_folder(const std::string& folder, const std::vector<std::string>& others);
 
 /// What the pictures show. What it refers to must outlive it.
 struct Plotted {

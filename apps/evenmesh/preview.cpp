@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "apps/evenmesh/preview.h"
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
 #include <fmt/core.h>
 
 #include "apps/evenmesh/console.h"
@@ -36,8 +40,9 @@ std::vector<std::pair<std::string, std::string>> chosen_options(const SmoothArgu
                                                                 const Problem& problem) {
   std::vector<std::pair<std::string, std::string>> result;
   for (const auto& [key, value] : arguments.effective) {
-    if (key == "quiet" || key == "verbose" || key == "json" || key == "plot" || key == "cost")
-      continue;
+    constexpr std::string_view kWithoutEffect[] = {
+        "quiet", "verbose", "json", "plot", "report", "report-max-mb", "keep-iterates", "cost"};
+    if (std::ranges::find(kWithoutEffect, key) != std::end(kWithoutEffect)) continue;
     result.emplace_back(key, value);
   }
   if (!problem.terms.empty()) result.emplace_back("cost", '"' + cost_text(problem) + '"');

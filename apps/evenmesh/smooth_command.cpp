@@ -15,7 +15,9 @@
 #include "apps/evenmesh/exit_code.h"
 #include "apps/evenmesh/expression.h"
 #include "apps/evenmesh/holders.h"
+#include "apps/evenmesh/iterates.h"
 #include "apps/evenmesh/outcome.h"
+#include "apps/evenmesh/page.h"
 #include "apps/evenmesh/paths.h"
 #include "apps/evenmesh/plots.h"
 #include "apps/evenmesh/preview.h"
@@ -32,6 +34,7 @@ namespace evenmesh::app {
 namespace {
 
 constexpr std::size_t kWorstListed = 10;
+constexpr std::size_t kWorstInPage = 50;
 constexpr std::size_t kInvertedListed = 1000;
 
 // Thrown while writing to keep the output from replacing anything.
@@ -106,7 +109,7 @@ class Run {
     target_ = parse_target(arguments.target);
     if (target_) options_.lift_below = *target_;
     check_words();
-    check_report_path(arguments.json, arguments.input.path, output_);
+    check_report_paths(arguments, output_);
   }
 
   int perform() {
@@ -128,13 +131,13 @@ class Run {
                                                                                 : kInternalError;
       console_.end_progress();
       try {
-        write_json();
+        write_reports();
       } catch (const std::exception&) {
         // That the report cannot be written either is not what went wrong first.
       }
       throw;
     }
-    write_json();
+    write_reports();
     return record_.exit_code;
   }
 
@@ -169,10 +172,12 @@ class Run {
                                       arguments_.global_length));
     }
     input_ = load(arguments_.input, console_);
+    loaded_ = true;
     // Whether it can be written is found out before the work, not after it. Leaves nothing behind.
     if (!arguments_.dry_run) {
       check_output(input_.file, output_);
-      check_plot_folder(arguments_.plot, arguments_.input.path, output_, arguments_.json);
+      check_plot_folder(arguments_.plot,
+                        {arguments_.input.path, output_, arguments_.json, arguments_.html.path});
     }
     describe(input_, record_);
     constrain();
@@ -303,12 +308,14 @@ class Run {
       return !interrupted_();
     };
     options_.interrupted = interrupted_;
+    keep_iterates();
     try {
       record_.report = smooth(result_, problem_, options_);
     } catch (const InvalidOption& error) {  // the options are right, so it is about the mesh
       throw InvalidOption(fmt::format("{}: {}", arguments_.input.path, error.what()));
     }
     solved_ = true;
+    if (!record_.report.history.empty()) iterates_.end_at(record_.report.history.back().number);
     console_.end_progress();
     if (!std::isfinite(record_.report.cost_before)) {
       throw InvalidOption(
@@ -317,6 +324,24 @@ class Run {
                       arguments_.input.path));
     }
     if (console_.verbose()) print_history();
+  }
+
+  // Of large meshes they would take more memory than the mesh and not fit into the report.
+  void keep_iterates() {
+    constexpr std::size_t kMostNumbers = 4'000'000;
+    if (arguments_.keep_iterates == 0 || arguments_.html.path.empty()) return;
+    const auto count = static_cast<std::size_t>(arguments_.keep_iterates);
+    if (count * input_.file.mesh.point_count() > kMostNumbers) {
+      record_.notes.push_back(
+          fmt::format("Iterates were not kept: {} of {} are more than a report can hold.", count,
+                      count_of(input_.file.mesh.point_count(), "vertex", "vertices")));
+      console_.say("note: " + record_.notes.back());
+      return;
+    }
+    iterates_ = Iterates(count);
+    options_.watch = [this](const Iteration& iteration, Points points) {
+      iterates_.add(iteration.number, points);
+    };
   }
 
   void finish() {
@@ -400,11 +425,17 @@ class Run {
     return target == problem_.targets.end() || target->vertex != v;
   }
 
-  void check_written(const Mesh& written) {
-    const Mesh& before = input_.file.mesh;
-    std::vector<char> follows(before.point_count(), 0);
+  // Per vertex: is a node between corners.
+  std::vector<char> followers() const {
+    std::vector<char> follows(input_.file.mesh.point_count(), 0);
     const Followers& followers = input_.file.followers;
     for (std::size_t i = 0; i < followers.size(); ++i) follows[followers.vertex(i)] = 1;
+    return follows;
+  }
+
+  void check_written(const Mesh& written) {
+    const Mesh& before = input_.file.mesh;
+    const std::vector<char> follows = followers();
     for (std::size_t v = 0; v < before.point_count(); ++v) {
       if (follows[v] || !stays(static_cast<Index>(v))) continue;
       // Bit for bit: a zero that loses its sign has changed too.
@@ -426,7 +457,7 @@ class Run {
         workers, written.points(), judge_quality ? Judge::quality_and_inversion : Judge::inversion);
     if (!breach.empty()) throw Refused("in the file as read back, " + breach);
     const std::vector<std::size_t> spoilt =
-        CurvedCells(before, followers, problem_.orientation).spoilt(written.points());
+        CurvedCells(before, input_.file.followers, problem_.orientation).spoilt(written.points());
     if (!spoilt.empty()) {
       throw Refused(fmt::format("in the file as read back, {} would be inverted beside its corners",
                                 input_.file.patch->cell_name(spoilt[0])));
@@ -456,12 +487,18 @@ class Run {
     }
   }
 
-  void write_json() {
-    if (arguments_.json.empty()) return;
+  void write_reports() {
+    if (arguments_.json.empty() && arguments_.html.path.empty()) return;
+    if (loaded_) measure();
     if (solved_) list_worst();
     record_.total_seconds = total_.seconds();
     record_.cpu_seconds = cpu_seconds();
     record_.peak_memory_bytes = peak_memory_bytes();
+    if (!arguments_.json.empty()) write_json();
+    if (!arguments_.html.path.empty() && loaded_) write_html();
+  }
+
+  void write_json() const {
     const std::string text = to_json(record_);
     if (arguments_.json == "-") {
       print(text);
@@ -473,27 +510,89 @@ class Run {
     if (!file) throw IoError(arguments_.json + ": cannot be written; is the folder there?");
   }
 
-  void list_worst() {
+  void measure() {
     Workers workers(arguments_.threads);
     const Mesh& mesh = input_.file.mesh;
-    const CellQuality before = measure_cells(workers, mesh, mesh.points(), input_.orientation);
-    const CellQuality after = measure_cells(workers, mesh, result_.points(), input_.orientation);
+    before_ = measure_cells(workers, mesh, mesh.points(), input_.orientation);
+    if (solved_) after_ = measure_cells(workers, mesh, result_.points(), input_.orientation);
+  }
+
+  void list_worst() {
+    const std::vector<std::size_t> worst = worst_cells(after_, kWorstListed);
+    record_.worst = named_worst(worst);
+    const Holders holders(problem_, record_.report.holding, *input_.file.patch);
+    for (std::size_t c = 0; c < after_.inverted.size(); ++c) {
+      if (after_.inverted[c] == 0) continue;
+      if (record_.still_inverted.size() == kInvertedListed) break;
+      record_.still_inverted.push_back({input_.file.patch->cell_name(c),
+                                        holders.of_cell(c, input_.file.mesh.cells().vertices(c))});
+    }
+    record_.holding = holders.ranked();
+  }
+
+  // With what holds them.
+  std::vector<NamedCell> named_worst(const std::vector<std::size_t>& worst) const {
+    const Mesh& mesh = input_.file.mesh;
     std::vector<char> fixed(mesh.point_count());
     for (Index v = 0; v < fixed.size(); ++v) fixed[v] = stays(v);
     const Holders holders(problem_, record_.report.holding, *input_.file.patch);
-    const auto held_by = [&](std::size_t c) {
-      return holders.of_cell(c, mesh.cells().vertices(c));
-    };
-
-    const std::vector<std::size_t> worst = worst_cells(after, kWorstListed);
-    record_.worst = name_cells(input_, worst, before, after, fixed);
-    for (std::size_t i = 0; i < worst.size(); ++i) record_.worst[i].held_by = held_by(worst[i]);
-    for (std::size_t c = 0; c < after.inverted.size(); ++c) {
-      if (after.inverted[c] == 0) continue;
-      if (record_.still_inverted.size() == kInvertedListed) break;
-      record_.still_inverted.push_back({input_.file.patch->cell_name(c), held_by(c)});
+    std::vector<NamedCell> named = name_cells(input_, worst, before_, after_, fixed);
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+      named[i].held_by = holders.of_cell(worst[i], mesh.cells().vertices(worst[i]));
     }
-    record_.holding = holders.ranked();
+    return named;
+  }
+
+  // Of a run that failed, what there was by then.
+  void write_html() const {
+    Workers workers(arguments_.threads);
+    ShownMesh shown = shown_mesh(input_, before_);
+    if (problem_.motion.size() > 0) shown.hold = holds_of(problem_.motion, input_.orientation.type);
+    ReportPage page = page_of(input_, summarize(workers, before_));
+    page.status = record_.status;
+    page.message = record_.message;
+    page.command = record_.command;
+    page.notes = record_.notes;
+    page.run = &record_;
+    if (solved_) {
+      shown.after = result_.points();
+      shown.quality_after = &after_;
+      shown.iterates = iterates_.kept();
+      page.after = summarize(workers, after_);
+      add_run(record_, facts(), page);
+      if (record_.output.empty() && record_.report.moved > 0) {
+        page.notes.emplace_back("\"After\" is what the run came to; it was not written.");
+      }
+      const std::vector<std::size_t> worst = worst_cells(after_, kWorstInPage);
+      const std::vector<NamedCell> named = named_worst(worst);
+      for (std::size_t i = 0; i < worst.size(); ++i) page.worst.push_back({named[i], worst[i]});
+    } else {
+      app::list_worst(input_, shown, page);
+    }
+    add_changes(shown, page);
+    write_page(arguments_.html, page, shown);
+    console_.say("wrote " + arguments_.html.path);
+  }
+
+  RunFacts facts() const {
+    RunFacts facts{.target = arguments_.target,
+                   .max_deviation = problem_.max_deviation,
+                   .fails_demand = fails_a_demand(arguments_.constraints, record_.report.holding),
+                   .same_shape = problem_.targets.empty(),
+                   .allows_worse = arguments_.allow_worse};
+    const Points before = input_.file.mesh.points();
+    const std::vector<char> follows = followers();
+    for (Index v = 0; v < before.size(); ++v) {
+      if (follows[v] || !stays(v)) continue;
+      ++facts.fixed;
+      facts.fixed_moved += std::memcmp(&before[v], &result_.points()[v], sizeof(Vec3)) != 0;
+    }
+    if (target_) {
+      facts.below_target =
+          cells_below(*target_, result_, result_.points(), input_.orientation, arguments_.threads)
+              .size();
+    }
+    return facts;
   }
 
   const SmoothArguments& arguments_;
@@ -507,7 +606,11 @@ class Run {
   Input input_;
   Problem problem_;
   Mesh result_;
+  Iterates iterates_;
+  bool loaded_ = false;
   bool solved_ = false;
+  CellQuality before_;  // for reports
+  CellQuality after_;
 };
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST_F(ConstraintOptions, StandInTheReport) {
       start({"-o", "out.obj", "--fix", "boundary+features+interface", "--json", "r.json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto report = nlohmann::json::parse(read_bytes(folder_.path() / "r.json"));
-  EXPECT_EQ(report["schema_version"], "1.3");
+  EXPECT_EQ(report["schema_version"], "1.4");
   const auto& first = report["constraints"][0];
   EXPECT_EQ(first["kind"], "fixed");
   EXPECT_EQ(first["text"], "--fix boundary+features+interface");

@@ -78,7 +78,7 @@ TEST_F(Usage, ClassicMethodsRefuseWhatTheyCannotDo) {
 
 TEST_F(Usage, MisspeltVerbsAreTakenAsSuch) {
   expect_failure(kUsage, {"chekc", "in.obj"}, "'chekc' is neither a file nor a command");
-  expect_failure(kUsage, {"chekc"}, "the commands are check, info and demo");
+  expect_failure(kUsage, {"chekc"}, "the commands are check, info, report and demo");
 }
 
 TEST_F(Usage, VerbsTakeNoOptionsWithoutMeaning) {

@@ -88,7 +88,11 @@ class MshPatch final : public FilePatch {
   }
 
   std::string cell_name(std::size_t cell) const override {
-    return name("element", tag_at(input_->bytes().data() + cells_[cell]), cells_[cell]);
+    return name("element", cell_number(cell), cells_[cell]);
+  }
+
+  std::uint64_t cell_number(std::size_t cell) const override {
+    return tag_at(input_->bytes().data() + cells_[cell]);
   }
 
   std::string vertex_name(Index vertex) const override {

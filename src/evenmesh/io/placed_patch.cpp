@@ -139,16 +139,19 @@ void PlacedPatch::write(Points points, const std::function<void(std::string_view
   input_->check_unchanged();
 }
 
-std::string PlacedPatch::cell_name(std::size_t cell) const {
-  const bool has_place = !numbers_.cell_places.empty();
-  std::uint64_t number = numbers_.cells.empty() ? numbers_.first_cell + cell : numbers_.cells[cell];
-  if (has_place && numbers_.number_at_place) {
-    const std::string_view bytes = input_->bytes();
-    std::int64_t read = 0;
-    scan_whole(bytes.data() + numbers_.cell_places[cell], bytes.data() + bytes.size(), read);
-    number = static_cast<std::uint64_t>(read);
+std::uint64_t PlacedPatch::cell_number(std::size_t cell) const {
+  if (numbers_.cell_places.empty() || !numbers_.number_at_place) {
+    return numbers_.cells.empty() ? numbers_.first_cell + cell : numbers_.cells[cell];
   }
-  if (!has_place) return fmt::format("{} {}", numbers_.cell, number);
+  const std::string_view bytes = input_->bytes();
+  std::int64_t read = 0;
+  scan_whole(bytes.data() + numbers_.cell_places[cell], bytes.data() + bytes.size(), read);
+  return static_cast<std::uint64_t>(read);
+}
+
+std::string PlacedPatch::cell_name(std::size_t cell) const {
+  const std::uint64_t number = cell_number(cell);
+  if (numbers_.cell_places.empty()) return fmt::format("{} {}", numbers_.cell, number);
   return fmt::format("{} {} (line {})", numbers_.cell, number,
                      input_->line_of(numbers_.cell_places[cell]));
 }

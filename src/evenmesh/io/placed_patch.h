@@ -59,6 +59,7 @@ class PlacedPatch : public FilePatch {
   std::vector<Vec3> representable(Points points) const override;
   void write(Points points, const std::function<void(std::string_view)>& sink) const override;
   std::string cell_name(std::size_t cell) const override;
+  std::uint64_t cell_number(std::size_t cell) const override;
   std::string vertex_name(Index vertex) const override;
   std::span<const std::uint64_t> vertex_numbers() const override { return numbers_.vertices; }
   std::uint64_t first_vertex_number() const override { return numbers_.first_vertex; }

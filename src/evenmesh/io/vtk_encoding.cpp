@@ -9,42 +9,23 @@
 #include <fmt/core.h>
 #include <zlib.h>
 
+#include "evenmesh/base/base64.h"
 #include "evenmesh/io/number_type.h"
 
 namespace evenmesh {
 namespace {
 
 // ---- base64: four letters for three bytes ----
-constexpr std::string_view kLetters =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr unsigned char kNoLetter = 64;
 
 constexpr auto kValues = [] {
   std::array<unsigned char, 256> values{};
   values.fill(kNoLetter);
-  for (std::size_t i = 0; i < kLetters.size(); ++i) {
-    values[static_cast<unsigned char>(kLetters[i])] = static_cast<unsigned char>(i);
+  for (std::size_t i = 0; i < kBase64Letters.size(); ++i) {
+    values[static_cast<unsigned char>(kBase64Letters[i])] = static_cast<unsigned char>(i);
   }
   return values;
 }();
-
-constexpr std::uint64_t letters_for(std::uint64_t bytes) { return (bytes + 2) / 3 * 4; }
-
-std::string to_letters(std::string_view bytes) {
-  std::string text;
-  text.reserve(letters_for(bytes.size()));
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t taken = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      bits = bits << 8U | (k < taken ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= taken ? kLetters[bits >> (18U - 6U * k) & 63U] : '=';
-    }
-  }
-  return text;
-}
 
 // ---- arrays ----
 /// The sizes of the blocks of a compressed array.
@@ -78,10 +59,10 @@ class Cursor {
       at_ += count;
       return std::string(text_.substr(at_ - count, count));
     }
-    if (count > text_.size() || letters_for(count) > text_.size() - at_) fail("is cut off");
+    if (count > text_.size() || base64_size(count) > text_.size() - at_) fail("is cut off");
     std::string bytes;
     bytes.reserve(count + 2);
-    const std::size_t stop = at_ + letters_for(count);
+    const std::size_t stop = at_ + base64_size(count);
     for (; at_ < stop; at_ += 4) {
       std::uint32_t bits = 0;
       for (std::size_t k = 0; k < 4; ++k) {
@@ -111,7 +92,7 @@ class Cursor {
 
   /// Some writers put the size of an array into groups of letters of its own.
   bool has_size_apart() const {
-    const std::uint64_t letters = letters_for(encoding_.header_bytes);
+    const std::uint64_t letters = base64_size(encoding_.header_bytes);
     const std::size_t pads = encoding_.header_bytes == 8 ? 1 : 2;
     return encoding_.base64 && letters <= text_.size() &&
            text_.substr(letters - pads, pads) == std::string_view("==").substr(0, pads);
@@ -217,7 +198,7 @@ std::string encode_blocks(std::string_view bytes, Cursor cursor, const VtkEncodi
     header += size_bytes(now.size(), encoding);
     packed += now;
   }
-  return encoding.base64 ? to_letters(header) + to_letters(packed) : header + packed;
+  return encoding.base64 ? to_base64(header) + to_base64(packed) : header + packed;
 }
 
 }  // namespace
@@ -251,9 +232,9 @@ std::string encode(std::string_view bytes, const InputFile& input, std::uint64_t
   const Cursor cursor(input, begin, end, encoding);
   if (encoding.compressed) return encode_blocks(bytes, cursor, encoding);
   const std::string size = size_bytes(bytes.size(), encoding);
-  if (cursor.has_size_apart()) return to_letters(size) + to_letters(bytes);
+  if (cursor.has_size_apart()) return to_base64(size) + to_base64(bytes);
   const std::string all = size + std::string(bytes);
-  return encoding.base64 ? to_letters(all) : all;
+  return encoding.base64 ? to_base64(all) : all;
 }
 
 }  // namespace evenmesh

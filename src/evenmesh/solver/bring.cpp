@@ -24,6 +24,7 @@ class Way {
       : workers_(workers), mesh_(mesh), problem_(problem), options_(options) {
     for (const Target& target : problem.targets) problem_.motion.fix(target.vertex);
     options_.max_iterations = kIterations;
+    options_.watch = {};
     options_.tolerance = 1e-2;
     // Its iterations are not those of the run, but who wants to stop can do so here too.
     options_.progress = [this, &options](const Iteration& iteration) {

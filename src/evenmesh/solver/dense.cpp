@@ -357,6 +357,7 @@ class DenseDescent {
                                .seconds = timer_.seconds(),
                                .eta = step.eta});
     const bool late = is_late();
+    if (!observe_ && options_.watch) options_.watch(report_.history.back(), x_);
     const bool interrupted = (observe_ && !observe_(x_)) ||
                              (options_.progress && !options_.progress(report_.history.back()));
     is_told_to_stop_ = late || interrupted;

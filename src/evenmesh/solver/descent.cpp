@@ -75,6 +75,7 @@ class Descent {
     if (options_.solver == SolverKind::newton) turn_to_newton();
     for (int i = 1;; ++i) {
       if (observe_ && !observe_(x_)) return;
+      if (!observe_ && options_.watch) options_.watch(report_.history.back(), x_);
       const bool go_on = !options_.progress || options_.progress(report_.history.back());
       if (done()) {
         report_.stop = Stop::converged;

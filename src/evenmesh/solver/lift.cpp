@@ -50,6 +50,7 @@ class Lift {
         lifted_(mesh.cells().size(), 0) {
     find_who_may_move();
     options_.solver = SolverKind::multigrid;
+    options_.watch = {};
     options_.max_iterations = kIterations;
     options_.tolerance = kTolerance;
   }

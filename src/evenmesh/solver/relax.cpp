@@ -36,6 +36,7 @@ class Sweeps {
     report_.stop = Stop::iteration_limit;
     for (int i = 1;; ++i) {
       if (observe_ && !observe_(x_)) return;
+      if (!observe_ && options_.watch) options_.watch(report_.history.back(), x_);
       const bool go_on = !options_.progress || options_.progress(report_.history.back());
       if (i > 1 && report_.history.back().gradient <= options_.tolerance) {
         report_.stop = Stop::converged;

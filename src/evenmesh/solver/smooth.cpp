@@ -147,6 +147,12 @@ void take_from(Options& options, int iterations, double seconds) {
   if (options.time_limit_seconds > 0.0) {
     options.time_limit_seconds = std::max(1e-9, options.time_limit_seconds - seconds);
   }
+  if (options.watch) {
+    options.watch = [iterations, watch = options.watch](Iteration iteration, Points points) {
+      iteration.number += iterations;
+      watch(iteration, points);
+    };
+  }
   if (!options.progress) return;
   options.progress = [iterations, progress = options.progress](Iteration iteration) {
     iteration.number += iterations;
@@ -592,6 +598,11 @@ Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
   if (options.representable) {
     inner.representable = [&](Points points) {
       return reordered->from_original(options.representable(reordered->to_original(points)));
+    };
+  }
+  if (options.watch) {
+    inner.watch = [&](const Iteration& iteration, Points points) {
+      options.watch(iteration, reordered->to_original(points));
     };
   }
   if (options.spoilt) {

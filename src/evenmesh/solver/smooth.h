@@ -46,6 +46,9 @@ struct Options {
   std::function<std::vector<Index>(Points)> spoilt = {};
   /// Called after every iteration from the calling thread; return false to stop there.
   std::function<bool(const Iteration&)> progress = {};
+  /// Called for every iterate of the history, just before progress, with where vertices are there:
+  /// as the solver goes, before the promise is kept. Not for steps that bring vertices to targets.
+  std::function<void(const Iteration&, Points)> watch = {};
   /// dense: asked often during an iteration, which may take long; return true to stop where it
   /// began.
   std::function<bool()> interrupted = {};
