@@ -315,6 +315,7 @@ class Run {
       throw InvalidOption(fmt::format("{}: {}", arguments_.input.path, error.what()));
     }
     solved_ = true;
+    if (record_.report.milder_cost) iterates_ = Iterates();  // they are of the way not taken
     if (!record_.report.history.empty()) iterates_.end_at(record_.report.history.back().number);
     console_.end_progress();
     if (!std::isfinite(record_.report.cost_before)) {

@@ -503,6 +503,7 @@ class Smoothing {
     Multigrid preconditioner(workers_, objective->majoriser(workers_, x),
                              objective->projectors(problem.motion.start()));
     Options options = options_;
+    options.watch = {};  // nobody knows yet whether this will have been the way
     if (options.time_limit_seconds > 0.0) {
       options.time_limit_seconds =
           std::max(1e-9, options.time_limit_seconds - report_.solve_seconds - timer_.seconds());
