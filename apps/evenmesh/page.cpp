@@ -31,6 +31,12 @@ double total_size(const Mesh& mesh, const Orientation& orientation) {
 
 std::string size_word(MeshType type) { return type == MeshType::volume ? "volume" : "area"; }
 
+// "vertex" for "vertices".
+std::string one_of(const std::string& unit) {
+  if (unit == "vertices") return "vertex";
+  return unit.ends_with('s') ? unit.substr(0, unit.size() - 1) : unit;
+}
+
 Verdict vertices_stayed(const RunRecord& record, const RunFacts& facts) {
   const std::string where = record.output.empty() ? "" : ", in the file as read back";
   if (facts.fixed_moved == 0) {
@@ -213,8 +219,11 @@ void add_run(const RunRecord& record, const RunFacts& facts, ReportPage& page) {
   add("may move", fmt::format("{} of {}", with_commas(report.movable),
                               count_of(report.vertices, "vertex", "vertices")));
   for (const ConstraintSummary& c : record.constraints) {
-    add(c.kind, fmt::format("{} {} {}{}", with_commas(c.count), c.unit, c.text,
-                            c.note.empty() ? "" : " (" + c.note + ")"));
+    std::string kind = c.kind;
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    add(std::move(kind), fmt::format("{}, {}{}", count_of(c.count, one_of(c.unit), c.unit),
+                                     c.text == "default" ? "by default" : c.text,
+                                     c.note.empty() ? "" : " (" + c.note + ")"));
   }
   if (report.held > 0) add("stopped early", count_of(report.held, "vertex", "vertices"));
   if (report.pulled_back > 0)

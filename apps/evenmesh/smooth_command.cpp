@@ -560,6 +560,7 @@ class Run {
       shown.quality_after = &after_;
       shown.iterates = iterates_.kept();
       page.after = summarize(workers, after_);
+      add_changes(shown, page);
       add_run(record_, facts(), page);
       if (record_.output.empty() && record_.report.moved > 0) {
         page.notes.emplace_back("\"After\" is what the run came to; it was not written.");
@@ -569,8 +570,8 @@ class Run {
       for (std::size_t i = 0; i < worst.size(); ++i) page.worst.push_back({named[i], worst[i]});
     } else {
       app::list_worst(input_, shown, page);
+      add_changes(shown, page);
     }
-    add_changes(shown, page);
     write_page(arguments_.html, page, shown);
     console_.say("wrote " + arguments_.html.path);
   }

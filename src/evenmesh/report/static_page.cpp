@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 namespace evenmesh {
 namespace {
 
+constexpr std::size_t kWorstListed = 12;    // in print
 constexpr std::size_t kMostJson = 200'000;  // bytes of the run's record to be read by people
 
 std::string section(std::string_view id, std::string_view title, const std::string& content) {
@@ -86,7 +88,8 @@ std::string worst_table(const ReportPage& page) {
       "{}<th scope=\"col\">held by</th></tr></thead>\n<tbody>\n",
       page.after ? "<th scope=\"col\">shape before</th><th scope=\"col\">shape after</th>"
                  : "<th scope=\"col\">shape</th>");
-  for (const auto& [cell, number] : page.worst) {
+  const std::size_t count = std::min(page.worst.size(), kWorstListed);
+  for (const auto& [cell, number] : std::span(page.worst).first(count)) {
     std::string holders;
     for (const std::string& holder : cell.held_by) {
       holders += (holders.empty() ? "" : "<br>") + html_escaped(holder);
