@@ -72,7 +72,7 @@ function renumber(mesh) {
 export function encodeReport(given, more = {}) {
   const mesh = renumber(given);
   for (const { kind, vertices } of mesh.cells) {
-    if (vertices.length !== corners[kind]) throw new Error('wrong number of corners');
+    if (kind === 6 ? vertices.length < 5 : vertices.length !== corners[kind]) throw new Error('wrong number of corners');
   }
   const flat = mesh.before.flat();
   const origin = [0, 1, 2].map((axis) => Math.min(...sample(mesh.before.map((p) => p[axis]))));
@@ -94,6 +94,8 @@ export function encodeReport(given, more = {}) {
   put('points', before, 'delta', 3);
   if (mesh.after) put('moves', movesTo(mesh.after), 'signed', 3);
   put('cell_kind', mesh.cells.map(({ kind }) => kind), 'unsigned');
+  const sizes = mesh.cells.filter(({ kind }) => kind === 6).map(({ vertices }) => vertices.length);
+  if (sizes.length) put('polygon_size', sizes, 'unsigned');
   put('cell_vertices', mesh.cells.flatMap(({ vertices }) => vertices), 'highwater');
   if (!mesh.cellNames) put('cell_id', mesh.cells.map(({ id }, i) => id ?? i + 1), 'delta');
   put('vertex_id', mesh.vertexId, 'delta');

@@ -7,7 +7,7 @@ import { holdSummary } from '../src/model/cell.js';
 import { colourAt } from '../src/model/colour.js';
 import { cornersOfFaces, findFaces } from '../src/model/faces.js';
 import { worstRange } from '../src/model/histogram.js';
-import { edgesOfKind, kinds } from '../src/model/kinds.js';
+import { edgesOf, facesOf } from '../src/model/kinds.js';
 import { loadMesh, valueOfByte } from '../src/model/mesh.js';
 import { findVisible } from '../src/model/visibility.js';
 import { number } from '../src/ui/format.js';
@@ -34,8 +34,44 @@ test('points come back to the resolution they were stored with', async () => {
 });
 
 test('numbers of edges and faces of every kind', () => {
-  assert.deepEqual(edgesOfKind.map((edges) => edges.length), [3, 4, 6, 8, 9, 12]);
-  assert.deepEqual(kinds.map(({ faces }) => faces.length), [1, 1, 4, 5, 5, 6]);
+  const sizes = [3, 4, 4, 5, 6, 8, 5, 7];
+  const kind = [0, 1, 2, 3, 4, 5, 6, 6];
+  const first = [0];
+  for (const size of sizes) first.push(first.at(-1) + size);
+  const each = (of) => kind.map((_, cell) => of({ kind, first }, cell).length);
+  assert.deepEqual(each(edgesOf), [3, 4, 6, 8, 9, 12, 5, 7]);
+  assert.deepEqual(each(facesOf), [1, 1, 4, 5, 5, 6, 1, 1]);
+});
+
+/** A quad, an L of six corners as one polygon, a triangle; one metric. */
+function withPolygon() {
+  const before = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [3, 0, 0], [3, 1, 0], [2, 1, 0], [2, 2, 0], [1, 2, 0]];
+  const cells = [
+    { kind: 1, vertices: [0, 1, 2, 3] },
+    { kind: 6, vertices: [5, 6, 7, 8, 1, 4] },
+    { kind: 0, vertices: [3, 2, 8] },
+  ];
+  const values = [1, 0.5, 0.8];
+  return {
+    type: 'planar', dimension: 2, cells, before, after: before,
+    metrics: [{ name: 'shape', better: 'higher', unit: '', low: 0, high: 1, before: values, after: values }],
+  };
+}
+
+test('a polygon is drawn as a fan that covers only itself, and only its sides are edges', async () => {
+  const mesh = await load(withPolygon());
+  const faces = findFaces(mesh);
+  const corners = cornersOfFaces(mesh, faces, Uint8Array.from([0, 1, 0]), false);
+  let area = 0;
+  let edges = 0;
+  for (let i = 0; i < corners.length; i += 6) {
+    const [a, b, c] = [0, 2, 4].map((k) => [...mesh.before.subarray(4 * corners[i + k], 4 * corners[i + k] + 2)]);
+    area += Math.abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    assert.equal(corners[i + 1] >> 3, 1);
+    for (const bit of [1, 2, 4]) edges += (corners[i + 1] & bit) > 0;
+  }
+  assert.ok(Math.abs(area - 3) < 1e-3, `area ${area}`);
+  assert.equal(edges, 6);
 });
 
 test('the boundary of a box of hexes is its outer faces', async () => {
@@ -111,6 +147,9 @@ test('a filter hides by value, list and plane', async () => {
 });
 
 test('damaged meshes are refused with a reason', async () => {
+  const { report: polygons, data: bytes } = encodeReport(withPolygon());
+  delete polygons.arrays.polygon_size;
+  await assert.rejects(loadMesh(polygons, makeArrays(polygons.arrays, new Uint8Array(bytes))), /no size/);
   const { report, data } = encodeReport(planarGrid(3));
   const array = makeArrays(report.arrays, new Uint8Array(data));
   const replaced = (name, values) => (asked) => (asked === name ? Promise.resolve(values) : array(asked));

@@ -6,7 +6,7 @@ import {
 } from 'three';
 import { CannotShow } from '../cannot_show.js';
 import { cornersOfFaces, findFaces } from '../model/faces.js';
-import { edgesOfKind } from '../model/kinds.js';
+import { edgesOf } from '../model/kinds.js';
 import { undefinedColour, undefinedStripe } from '../model/colour.js';
 import { verticesShown } from '../model/visibility.js';
 import { cellTexture, colourTexture, PointTextures } from './textures.js';
@@ -248,7 +248,7 @@ export class Scene {
 
   setSelected(cell) {
     const { mesh } = this;
-    const ends = cell < 0 ? [] : edgesOfKind[mesh.kind[cell]].flatMap((edge) =>
+    const ends = cell < 0 ? [] : edgesOf(mesh, cell).flatMap((edge) =>
       edge.map((corner) => mesh.vertices[mesh.first[cell] + corner]));
     for (const outline of this.outlines) {
       this.#setEnds(outline, ends);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-import { kinds } from './kinds.js';
+import { facesOf, kinds } from './kinds.js';
 
 /**
  * The faces of a mesh, each with the one or two cells that it bounds.
@@ -28,8 +28,9 @@ export function findFaces(mesh) {
     for (let cell = 0; cell < mesh.cellCount; ++cell) {
       const kind = kinds[mesh.kind[cell]];
       if (kind.volume !== volume) continue;
-      for (let side = 0; side < kind.faces.length; ++side) {
-        const known = find(mesh.vertices, mesh.first[cell], kind.faces[side], faces.count);
+      const own = facesOf(mesh, cell);
+      for (let side = 0; side < own.length; ++side) {
+        const known = find(mesh.vertices, mesh.first[cell], own[side], faces.count);
         if (known === faces.count) {
           faces.cell[known] = cell;
           faces.side[known] = side;
@@ -49,7 +50,7 @@ export function findFaces(mesh) {
 
 function countFaces(mesh) {
   let total = 0;
-  for (let cell = 0; cell < mesh.cellCount; ++cell) total += kinds[mesh.kind[cell]].faces.length;
+  for (let cell = 0; cell < mesh.cellCount; ++cell) total += facesOf(mesh, cell).length;
   return total;
 }
 
@@ -100,14 +101,18 @@ export function cornersOfFaces(mesh, faces, shown, all) {
   const chosen = chooseFaces(mesh, faces, shown, all);
   let triangles = 0;
   for (let i = 0; i < chosen.length; i += 2) {
-    triangles += kinds[mesh.kind[chosen[i]]].faces[chosen[i + 1]].length - 2;
+    triangles += facesOf(mesh, chosen[i])[chosen[i + 1]].length - 2;
   }
   const corners = new Uint32Array(6 * triangles);
   let n = 0;
   for (let i = 0; i < chosen.length; i += 2) {
     const cell = chosen[i];
-    const face = kinds[mesh.kind[cell]].faces[chosen[i + 1]];
+    const face = facesOf(mesh, cell)[chosen[i + 1]];
     const first = mesh.first[cell];
+    if (face.length > 4) {
+      n = putPolygon(corners, n, mesh, face.map((corner) => mesh.vertices[first + corner]), cell);
+      continue;
+    }
     let a = mesh.vertices[first + face[0]];
     let b = mesh.vertices[first + face[1]];
     let c = mesh.vertices[first + face[2]];
@@ -123,6 +128,31 @@ export function cornersOfFaces(mesh, faces, shown, all) {
     n = putTriangle(corners, n, a, c, d, 8 * cell + 0b011);
   }
   return corners;
+}
+
+/** A fan around the first corner from which no triangle folds over the others, around the first of all if each has one. */
+function putPolygon(corners, n, mesh, ring, cell) {
+  const states = [mesh.before, mesh.after].filter(Boolean);
+  const turned = (start) => ring.map((_, i) => ring[(start + i) % ring.length]);
+  const start = ring.findIndex((_, i) => states.every((points) => !foldsInFan(points, turned(i))));
+  const fan = turned(Math.max(0, start));
+  const last = ring.length - 2;
+  for (let i = 1; i <= last; ++i) {
+    const edges = 0b001 | (i === last ? 0b010 : 0) | (i === 1 ? 0b100 : 0);
+    n = putTriangle(corners, n, fan[0], fan[i], fan[i + 1], 8 * cell + edges);
+  }
+  return n;
+}
+
+function foldsInFan(points, ring) {
+  const from = (v) => [0, 1, 2].map((axis) => points[4 * v + axis] - points[4 * ring[0] + axis]);
+  const normals = [];
+  for (let i = 1; i + 1 < ring.length; ++i) {
+    const [a, b] = [from(ring[i]), from(ring[i + 1])];
+    normals.push([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]);
+  }
+  const sum = [0, 1, 2].map((axis) => normals.reduce((total, normal) => total + normal[axis], 0));
+  return normals.some((normal) => normal[0] * sum[0] + normal[1] * sum[1] + normal[2] * sum[2] < 0);
 }
 
 /** Whether a quad is concave so that its triangles beside the diagonal from a to c would cover more than the quad. */

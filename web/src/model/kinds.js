@@ -20,10 +20,10 @@ export const kinds = [
     name: 'hex', vertices: 8, volume: true,
     faces: [[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]],
   },
+  { name: 'polygon', volume: false },  // every one has a size of its own
 ];
 
-/** Edges of each kind as pairs of corners, each once. */
-export const edgesOfKind = kinds.map(({ faces }) => {
+function edgesOfFaces(faces) {
   const seen = new Map();
   for (const face of faces) {
     face.forEach((a, i) => {
@@ -32,7 +32,21 @@ export const edgesOfKind = kinds.map(({ faces }) => {
     });
   }
   return [...seen.values()];
-});
+}
+
+const edgesOfKind = kinds.map(({ faces }) => faces && edgesOfFaces(faces));
+const facesOfPolygons = [];  // by the number of corners
+
+/** Faces of a cell as lists of its corners. */
+export function facesOf(mesh, cell) {
+  const { faces } = kinds[mesh.kind[cell]];
+  if (faces) return faces;
+  const size = mesh.first[cell + 1] - mesh.first[cell];
+  return (facesOfPolygons[size] ??= [Array.from({ length: size }, (_, corner) => corner)]);
+}
+
+/** Edges of a cell as pairs of its corners, each once. */
+export const edgesOf = (mesh, cell) => edgesOfKind[mesh.kind[cell]] ?? edgesOfFaces(facesOf(mesh, cell));
 
 /** What `vertex_hold` says, by number. */
 export const holds = ['free', 'fixed', 'slides on a curve', 'slides on a surface', 'tied', 'held'];

@@ -17,11 +17,11 @@ export const padded = (count) => Math.max(1, Math.ceil(count / rowLength)) * row
  */
 export async function loadMesh(report, array) {
   const { mesh: description } = report;
-  const [kind, cellVertices, points, moves] = await Promise.all(
-    ['cell_kind', 'cell_vertices', 'points', 'moves'].map(array));
+  const [kind, cellVertices, points, moves, polygonSize] = await Promise.all(
+    ['cell_kind', 'cell_vertices', 'points', 'moves', 'polygon_size'].map(array));
   if (!kind || !cellVertices || !points) throw new Error('the report holds no mesh');
 
-  const first = findFirsts(kind, cellVertices.length);
+  const first = findFirsts(kind, polygonSize ?? [], cellVertices.length);
   const vertexCount = points.length / 3;
   checkVertices(cellVertices, vertexCount);
 
@@ -57,11 +57,14 @@ export async function loadMesh(report, array) {
 }
 
 /** Where the vertices of each cell begin, and where those of the last end. */
-function findFirsts(kind, length) {
+function findFirsts(kind, polygonSize, length) {
   const first = new Uint32Array(kind.length + 1);
+  let polygons = 0;
   for (let i = 0; i < kind.length; ++i) {
     if (kind[i] >= kinds.length) throw new Error(`cell ${i} is of unknown kind ${kind[i]}`);
-    first[i + 1] = first[i] + kinds[kind[i]].vertices;
+    const size = kinds[kind[i]].vertices ?? polygonSize[polygons++];
+    if (!(size >= 3)) throw new Error(`polygon ${i} has no size, or less than three corners`);
+    first[i + 1] = first[i] + size;
   }
   if (first[kind.length] !== length) {
     throw new Error(`the cells have ${first[kind.length]} corners, the data ${length}`);

@@ -8,7 +8,7 @@ import { drawLegend } from './legend.js';
 import { makePanes, paneAspect, paneAt } from './panes.js';
 import { Scene } from '../gl/scene.js';
 import { poseAlong, View } from '../gl/camera.js';
-import { kinds, edgesOfKind } from '../model/kinds.js';
+import { kinds, edgesOf } from '../model/kinds.js';
 import { middleOfCell } from '../model/mesh.js';
 import { spanAlong } from '../model/visibility.js';
 
@@ -290,7 +290,7 @@ function labelOf(stops, scrub) {
 /** Longest edge of a cell. */
 function cellSize(mesh, points, cell) {
   const first = mesh.first[cell];
-  const lengths = edgesOfKind[mesh.kind[cell]].map(([a, b]) => {
+  const lengths = edgesOf(mesh, cell).map(([a, b]) => {
     const p = 4 * mesh.vertices[first + a];
     const q = 4 * mesh.vertices[first + b];
     return Math.hypot(points[p] - points[q], points[p + 1] - points[q + 1], points[p + 2] - points[q + 2]);
