@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -13,18 +12,21 @@
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/parallel.h"
 #include "evenmesh/base/timer.h"
-#include "evenmesh/cost/shape.h"
 #include "evenmesh/mesh/measure.h"
 #include "evenmesh/solver/bring.h"
 #include "evenmesh/solver/dense.h"
 #include "evenmesh/solver/descent.h"
 #include "evenmesh/solver/flips.h"
 #include "evenmesh/solver/guard.h"
+#include "evenmesh/solver/holding.h"
+#include "evenmesh/solver/input_check.h"
 #include "evenmesh/solver/lift.h"
+#include "evenmesh/solver/milder_cost.h"
 #include "evenmesh/solver/multigrid.h"
 #include "evenmesh/solver/objective.h"
 #include "evenmesh/solver/relax.h"
 #include "evenmesh/solver/reorder.h"
+#include "evenmesh/solver/stages.h"
 
 namespace evenmesh {
 
@@ -56,45 +58,6 @@ void check(const Options& options) {
 }
 
 namespace {
-
-// Squares of lengths must neither vanish nor overflow.
-void check_size(const Mesh& mesh) {
-  constexpr double kSmallest = 1e-100;
-  constexpr double kGreatest = 1e100;
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = -low;
-  for (const Index v : mesh.cells().corners()) {
-    low = low.cwiseMin(mesh.points()[v]);
-    high = high.cwiseMax(mesh.points()[v]);
-  }
-  if (mesh.cells().empty()) return;
-  const double size = (high - low).maxCoeff();
-  if (size == 0.0 || (size >= kSmallest && size <= kGreatest)) return;
-  throw InvalidOption(fmt::format(
-      "the mesh measures {:.3g} units across, whose square is beyond double precision; choose a "
-      "unit in which it measures between {:.0e} and {:.0e}",
-      size, kSmallest, kGreatest));
-}
-
-// Nobody else knows both the demands and the mesh.
-void check_demands(const Mesh& mesh, const Problem& problem) {
-  for (const Bound& bound : problem.bounds) {
-    for (const Index v : bound.function->vertices()) {
-      if (v < mesh.point_count()) continue;
-      throw InvalidOption(fmt::format("{} depends on vertex {}, but the mesh has {} vertices",
-                                      bound.function->name(), v, mesh.point_count()));
-    }
-    if (bound.lower <= bound.upper) continue;
-    throw InvalidOption(fmt::format("{} cannot lie between {} and {}", bound.function->name(),
-                                    bound.lower, bound.upper));
-  }
-  for (std::size_t v = 0; v < problem.max_move.size(); ++v) {
-    if (problem.max_move[v] > 0.0) continue;
-    throw InvalidOption(
-        fmt::format("the move of vertex {} must be limited to more than 0, not {}; fix it instead",
-                    v, problem.max_move[v]));
-  }
-}
 
 // Adding 0 turns -0 into 0. Coordinates that have not moved keep their bits.
 void restore_unmoved(Points before, std::vector<Vec3>& after) {
@@ -140,50 +103,6 @@ void keep_within_moves(const Problem& problem, Points origin, Points start,
     }
   }
 }
-
-// What a stage took is missing from the next one's budget.
-void take_from(Options& options, int iterations, double seconds) {
-  options.max_iterations = std::max(0, options.max_iterations - iterations);
-  if (options.time_limit_seconds > 0.0) {
-    options.time_limit_seconds = std::max(1e-9, options.time_limit_seconds - seconds);
-  }
-  if (options.watch) {
-    options.watch = [iterations, watch = options.watch](Iteration iteration, Points points) {
-      iteration.number += iterations;
-      watch(iteration, points);
-    };
-  }
-  if (!options.progress) return;
-  options.progress = [iterations, progress = options.progress](Iteration iteration) {
-    iteration.number += iterations;
-    return progress(iteration);
-  };
-}
-
-// Makes the report of two stages one after the other, given those of each.
-void put_before(const Report& first, Report& report) {
-  const Iteration last = first.history.back();
-  std::vector<Iteration> history = first.history;
-  for (Iteration iteration : report.history) {
-    if (iteration.number == 0) continue;  // where the first stage ended
-    iteration.number += last.number;
-    iteration.function += last.function + 1;
-    history.push_back(iteration);
-  }
-  report.history = std::move(history);
-  if (first.stop == Stop::interrupted) report.stop = first.stop;
-  report.held += first.held;
-  report.newton_steps += first.newton_steps;
-  report.setup_seconds += first.setup_seconds;
-  report.setup_cpu_seconds += first.setup_cpu_seconds;
-  report.solve_seconds += first.solve_seconds;
-}
-
-// Of a milder cost: at this t of its corners the wall before the worst cells pulls as hard as the
-// logarithm.
-constexpr double kWall = 0.25;
-constexpr double kWallSoftness = 0.005;
-constexpr std::size_t kMostVerticesForMilder = 20000;  // it converges slowly
 
 // Relative to a start that is all but the minimum.
 constexpr double kToleranceOfRest = 0.1;
@@ -257,7 +176,7 @@ class Smoothing {
     problem.terms = untangling_terms(mesh_, problem_);
     Objective objective(mesh_, problem);
     objective.constrain(workers_, mesh_, origin_);
-    Multigrid preconditioner = preconditioner_of(objective);
+    Multigrid preconditioner = preconditioner_of(objective, points_);
     Flips flips = flips_of(objective, 0.0);
     Report report;
     report.setup_seconds = timer.seconds();
@@ -283,7 +202,7 @@ class Smoothing {
   using Mover = std::function<void(std::vector<Vec3>& x, Report& report, const Observe& observe)>;
 
   void minimise(Objective& objective, double cpu_before) {
-    Multigrid preconditioner = preconditioner_of(objective);
+    Multigrid preconditioner = preconditioner_of(objective, points_);
     report_.multigrid_levels = preconditioner.levels();
     note_setup(cpu_before);
 
@@ -310,8 +229,7 @@ class Smoothing {
     Objective objective(mesh_, problem);
     objective.constrain(workers_, mesh_, origin_);
     objective.lagrangian()->reset(workers_, x);
-    Multigrid preconditioner(workers_, objective.majoriser(workers_, x),
-                             objective.projectors(problem.motion.start()));
+    Multigrid preconditioner = preconditioner_of(objective, x);
     const Flips flips = flips_of(objective, least_shape);
     Options options = options_;
     take_from(options, report.history.back().number, report.history.back().seconds);
@@ -334,9 +252,8 @@ class Smoothing {
     return options_.judge == Judge::quality_and_inversion && wants_valid_cells(problem_);
   }
 
-  /// Made for points_.
-  Multigrid preconditioner_of(const Objective& objective) const {
-    return Multigrid(workers_, objective.majoriser(workers_, points_),
+  Multigrid preconditioner_of(const Objective& objective, Points x) const {
+    return Multigrid(workers_, objective.majoriser(workers_, x),
                      objective.projectors(objective.problem().motion.start()));
   }
 
@@ -383,7 +300,7 @@ class Smoothing {
     Guard::Result result =
         guard_.enforce(workers_, points_, options_.judge, options_.representable, options_.spoilt);
     report_.inverted_unguarded = result.inverted_unguarded;
-    find_what_holds(objective);
+    find_holding(objective);
     const bool mean_fell = result.mean_fell;
     if (mean_fell) keep_best_iterate(objective, mover, result);
     std::unique_ptr<Objective> milder;
@@ -400,37 +317,9 @@ class Smoothing {
     report_.check_seconds += timer_.seconds();
   }
 
-  // Multipliers: of what was eliminated, the part of the gradient that vertices cannot follow.
-  void find_what_holds(Objective& objective) {
-    const Lagrangian& lagrangian = *objective.lagrangian();
-    Holding& holding = report_.holding;
-    holding.cells = lagrangian.active_cells(workers_, points_);
-    holding.moves = lagrangian.active_moves(points_);
-    holding.bounds = lagrangian.active_bounds(points_);
-    const auto unmet = [](const auto& demands) {
-      return static_cast<std::size_t>(std::count_if(
-          demands.begin(), demands.end(), [](const auto& demand) { return demand.excess > 0.0; }));
-    };
-    report_.unmet = unmet(holding.cells) + unmet(holding.moves) + unmet(holding.bounds);
-
-    std::vector<Vec3> gradient(points_.size());
-    objective.evaluate(workers_, points_, gradient);
-    const Motion& motion = problem_.motion;
-    Motion::Places places;
-    if (!motion.slots().empty()) {
-      std::vector<Vec3> x = points_;
-      motion.retract(workers_, mesh_.points(), motion.start(), x, places);
-    }
-    holding.of_vertex.assign(points_.size(), 0.0f);
-    for_ranges(workers_, points_.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t v = first; v < last; ++v) {
-        const auto vertex = static_cast<Index>(v);
-        const bool tied = motion.is_tied(vertex);
-        const Vec3 rest =
-            tied ? gradient[v] : Vec3(gradient[v] - motion.project(places, vertex, gradient[v]));
-        holding.of_vertex[v] = static_cast<float>(rest.norm());
-      }
-    });
+  void find_holding(Objective& objective) {
+    report_.holding = holding_at(workers_, mesh_, problem_.motion, objective, points_);
+    report_.unmet = count_unmet(report_.holding);
   }
 
   // The minimiser has a lower mean of shape than the input: the cost and the measure disagree here.
@@ -476,49 +365,45 @@ class Smoothing {
     again.history.resize(static_cast<std::size_t>(best_number) + 1);
     again.stop = report_.stop;
     report_ = std::move(again);
-    find_what_holds(objective);
+    find_holding(objective);
   }
 
   bool may_be_milder() const {
     return options_.method == Method::lagrange_newton && options_.solver != SolverKind::dense &&
-           problem_.terms.size() == 1 && problem_.terms.front().cost->name() == "shape" &&
-           problem_.orientation.type != MeshType::volume &&
-           mesh_.point_count() <= kMostVerticesForMilder && guard_.before().inverted == 0 &&
+           has_milder_cost(mesh_, problem_) && guard_.before().inverted == 0 &&
            report_.stop != Stop::interrupted && report_.stop != Stop::time_limit;
   }
 
-  // Where the boundary leaves no room for good cells, Shape takes much from many for the sake of
-  // the worst. Minimises the logarithm instead, which takes less, with a wall before the worst, and
-  // takes that over if it is better than `result`.
+  // Minimises the milder cost and takes that over if it is better than `result`.
   // @return  the cost with that, null if it was not taken over
   std::unique_ptr<Objective> try_milder_cost(Guard::Result& result) {
+    const Timer timer;
     milder_problem_ = problem_;
-    Problem& problem = milder_problem_;
-    const double weight = problem_.terms.front().weight;
-    problem.terms = {{weight, std::make_shared<Shape>(0, kWallSoftness)},
-                     {weight * kWall * kWall, std::make_shared<Shape>(2, kWallSoftness)}};
-    auto objective = std::make_unique<Objective>(mesh_, problem);
+    milder_problem_.terms = milder_terms(problem_);
+    auto objective = std::make_unique<Objective>(mesh_, milder_problem_);
     objective->constrain(workers_, mesh_, origin_);
     std::vector<Vec3> x = start_;
-    Multigrid preconditioner(workers_, objective->majoriser(workers_, x),
-                             objective->projectors(problem.motion.start()));
+    Multigrid preconditioner = preconditioner_of(*objective, x);
+    const Flips flips = flips_of(*objective, 0.0);  // the wall sees to the worst cells
     Options options = options_;
+    take_from(options, 0, report_.solve_seconds + timer_.seconds());
     options.watch = {};  // nobody knows yet whether this will have been the way
-    if (options.time_limit_seconds > 0.0) {
-      options.time_limit_seconds =
-          std::max(1e-9, options.time_limit_seconds - report_.solve_seconds - timer_.seconds());
-    }
     Report milder = report_;
     milder.history.clear();
     milder.held = 0;
     milder.solver = SolverKind::multigrid;
     milder.newton_steps = 0;
     milder.lifting = {};
-    const Flips flips = flips_of(*objective, 0.0);  // the wall sees to the worst cells
     descend(workers_, *objective, preconditioner, flips, options, x, milder, {});
     if (lifts() && milder.stop != Stop::interrupted && milder.stop != Stop::time_limit) {
-      milder.lifting = lift_worst(workers_, mesh_, problem, start_, origin_, options, x);
+      milder.lifting = lift_worst(workers_, mesh_, milder_problem_, start_, origin_, options, x);
     }
+    const double seconds = timer.seconds();
+    for (Report* report : {&report_, &milder}) {
+      report->solve_seconds += seconds;
+      report->check_seconds -= seconds;  // within which this is
+    }
+    if (milder.stop == Stop::interrupted) report_.stop = Stop::interrupted;
     keep_within_moves(problem_, origin_, mesh_.points(), x);
     const Guard::Result other =
         guard_.enforce(workers_, x, options_.judge, options_.representable, options_.spoilt);
@@ -531,7 +416,8 @@ class Smoothing {
     points_ = std::move(x);
     report_ = std::move(milder);
     report_.milder_cost = true;
-    find_what_holds(*objective);
+    report_.inverted_unguarded = other.inverted_unguarded;
+    find_holding(*objective);
     return objective;
   }
 
@@ -585,8 +471,7 @@ Report bring_and_smooth(Workers& workers, Mesh& mesh, const Problem& problem,
 
 Report smooth(Mesh& mesh, const Problem& problem, const Options& options) {
   check(options);
-  check_size(mesh);
-  check_demands(mesh, problem);
+  check_input(mesh, problem);
   check_method(options.method, mesh, problem);
   assert(problem.motion.size() == mesh.point_count());
   Workers workers(options.threads);

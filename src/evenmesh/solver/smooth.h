@@ -75,7 +75,8 @@ void check(const Options& options);
 /// caller may find to have cells that are inverted and were not.
 /// Where the minimiser would break this, vertices around the offending cells are pulled back
 /// towards where they were; where its mean of `shape` is lower than the input's, an earlier iterate
-/// may be kept instead. Report::promise says so.
+/// may be kept instead. Report::promise says so. In the latter case milder_terms() may be minimised
+/// as well, and what comes of that kept if it is better (Report::milder_cost).
 ///
 /// The result does not depend on the number of threads, bit for bit. About 500 bytes per vertex.
 /// @throws InvalidOption  an option is outside its range, a bound names a vertex that is not there
