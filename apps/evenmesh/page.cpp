@@ -17,8 +17,6 @@
 namespace evenmesh::app {
 namespace {
 
-constexpr std::size_t kWorstListed = 50;
-
 double total_size(const Mesh& mesh, const Orientation& orientation) {
   double sum = 0.0;
   for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
@@ -110,7 +108,7 @@ ReportPage page_of(const Input& input, const QualitySummary& quality) {
 }
 
 void list_worst(const Input& input, const ShownMesh& mesh, ReportPage& page) {
-  const std::vector<std::size_t> worst = worst_cells(mesh.quality(), kWorstListed);
+  const std::vector<std::size_t> worst = worst_cells(mesh.quality(), kWorstInPage);
   const std::vector<char> none(mesh.before.point_count(), 0);
   const std::vector<NamedCell> named =
       name_cells(input, worst, mesh.quality_before, mesh.quality(), none);
@@ -145,9 +143,12 @@ void add_changes(const ShownMesh& mesh, ReportPage& page) {
     page.ledger.push_back(
         {"mean move", fmt::format("{:.4g} of those that moved", sum / static_cast<double>(moved))});
   }
-  const double change = size != 0.0 ? 100.0 * (size_after - size) / std::abs(size) : 0.0;
-  page.ledger.push_back(
-      {word, fmt::format("{:.6g} before, {:.6g} after ({:+.2g} %)", size, size_after, change)});
+  constexpr double kRounding = 1e-12;  // of a sum over many cells
+  const double change = size != 0.0 ? (size_after - size) / std::abs(size) : 0.0;
+  page.ledger.push_back({word, std::abs(change) < kRounding
+                                   ? fmt::format("{:.6g} as before", size)
+                                   : fmt::format("{:.6g} before, {:.6g} after ({:+.2g} %)", size,
+                                                 size_after, 100.0 * change)});
 }
 
 Verdict no_inverted_cells(const QualitySummary& before, const QualitySummary& after) {

@@ -21,6 +21,9 @@ namespace evenmesh::app {
 /// What is passed must outlive the result.
 ShownMesh shown_mesh(const Input& input, const CellQuality& quality);
 
+/// How many of the worst cells a report lists.
+inline constexpr std::size_t kWorstInPage = 50;
+
 /// What every vertex may do.
 std::vector<Hold> holds_of(const Motion& motion, MeshType type);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,34 +13,23 @@
 #include "apps/evenmesh/cost_text.h"
 #include "apps/evenmesh/exit_code.h"
 #include "apps/evenmesh/expression.h"
-#include "apps/evenmesh/holders.h"
 #include "apps/evenmesh/iterates.h"
 #include "apps/evenmesh/outcome.h"
-#include "apps/evenmesh/page.h"
 #include "apps/evenmesh/paths.h"
 #include "apps/evenmesh/plots.h"
 #include "apps/evenmesh/preview.h"
+#include "apps/evenmesh/run_reports.h"
 #include "apps/evenmesh/target.h"
+#include "apps/evenmesh/written.h"
 #include "evenmesh/base/error.h"
 #include "evenmesh/base/text.h"
 #include "evenmesh/constraint/phrases.h"
 #include "evenmesh/mesh/curved_cells.h"
 #include "evenmesh/mesh/wall_layers.h"
-#include "evenmesh/solver/guard.h"
 #include "evenmesh/solver/smooth.h"
 
 namespace evenmesh::app {
 namespace {
-
-constexpr std::size_t kWorstListed = 10;
-constexpr std::size_t kWorstInPage = 50;
-constexpr std::size_t kInvertedListed = 1000;
-
-// Thrown while writing to keep the output from replacing anything.
-class Refused : public Error {
- public:
-  using Error::Error;
-};
 
 SolverKind solver_kind(const std::string& word) {
   if (word == "auto") return SolverKind::automatic;
@@ -131,13 +119,13 @@ class Run {
                                                                                 : kInternalError;
       console_.end_progress();
       try {
-        write_reports();
+        report();
       } catch (const std::exception&) {
         // That the report cannot be written either is not what went wrong first.
       }
       throw;
     }
-    write_reports();
+    report();
     return record_.exit_code;
   }
 
@@ -413,56 +401,12 @@ class Run {
     const Timer timer;
     const MeshFile& file = input_.file;
     write_mesh(file, result_.points(), output_, {.weld_tolerance = arguments_.input.weld_tolerance},
-               [this](const Mesh& written) { check_written(written); });
+               [this](const Mesh& written) {
+                 check_written(input_, problem_, written, arguments_.allow_worse,
+                               arguments_.threads);
+               });
     record_.write_seconds = timer.seconds();
     record_.output = output_;
-  }
-
-  bool stays(Index v) const {
-    if (problem_.motion.freedom(v) != Motion::Freedom::fixed) return false;
-    const auto target =
-        std::lower_bound(problem_.targets.begin(), problem_.targets.end(), v,
-                         [](const Target& t, Index vertex) { return t.vertex < vertex; });
-    return target == problem_.targets.end() || target->vertex != v;
-  }
-
-  // Per vertex: is a node between corners.
-  std::vector<char> followers() const {
-    std::vector<char> follows(input_.file.mesh.point_count(), 0);
-    const Followers& followers = input_.file.followers;
-    for (std::size_t i = 0; i < followers.size(); ++i) follows[followers.vertex(i)] = 1;
-    return follows;
-  }
-
-  void check_written(const Mesh& written) {
-    const Mesh& before = input_.file.mesh;
-    const std::vector<char> follows = followers();
-    for (std::size_t v = 0; v < before.point_count(); ++v) {
-      if (follows[v] || !stays(static_cast<Index>(v))) continue;
-      // Bit for bit: a zero that loses its sign has changed too.
-      if (std::memcmp(&before.points()[v], &written.points()[v], sizeof(Vec3)) == 0) continue;
-      throw Refused(fmt::format("{} is fixed but would have moved",
-                                input_.file.patch->vertex_name(static_cast<Index>(v))));
-    }
-    Workers workers(arguments_.threads);
-    Guard guard(workers, before, problem_.orientation);
-    // Prescribed moves change the shape, and with it what quality can be had.
-    const bool same_shape = problem_.targets.empty();
-    std::optional<DeviationLimit> limit;
-    if (same_shape && std::isfinite(problem_.max_deviation)) {
-      limit.emplace(before, problem_.orientation.type, problem_.max_deviation);
-      guard.set_limit(&*limit);
-    }
-    const bool judge_quality = same_shape && !arguments_.allow_worse;
-    const std::string breach = guard.find_breach(
-        workers, written.points(), judge_quality ? Judge::quality_and_inversion : Judge::inversion);
-    if (!breach.empty()) throw Refused("in the file as read back, " + breach);
-    const std::vector<std::size_t> spoilt =
-        CurvedCells(before, input_.file.followers, problem_.orientation).spoilt(written.points());
-    if (!spoilt.empty()) {
-      throw Refused(fmt::format("in the file as read back, {} would be inverted beside its corners",
-                                input_.file.patch->cell_name(spoilt[0])));
-    }
   }
 
   // A result that was not written is not shown.
@@ -488,113 +432,17 @@ class Run {
     }
   }
 
-  void write_reports() {
-    if (arguments_.json.empty() && arguments_.html.path.empty()) return;
-    if (loaded_) measure();
-    if (solved_) list_worst();
+  void report() {
     record_.total_seconds = total_.seconds();
     record_.cpu_seconds = cpu_seconds();
     record_.peak_memory_bytes = peak_memory_bytes();
-    if (!arguments_.json.empty()) write_json();
-    if (!arguments_.html.path.empty() && loaded_) write_html();
-  }
-
-  void write_json() const {
-    const std::string text = to_json(record_);
-    if (arguments_.json == "-") {
-      print(text);
-      return;
-    }
-    std::ofstream file(arguments_.json, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file) throw IoError(arguments_.json + ": cannot be written; is the folder there?");
-  }
-
-  void measure() {
-    Workers workers(arguments_.threads);
-    const Mesh& mesh = input_.file.mesh;
-    before_ = measure_cells(workers, mesh, mesh.points(), input_.orientation);
-    if (solved_) after_ = measure_cells(workers, mesh, result_.points(), input_.orientation);
-  }
-
-  void list_worst() {
-    const std::vector<std::size_t> worst = worst_cells(after_, kWorstListed);
-    record_.worst = named_worst(worst);
-    const Holders holders(problem_, record_.report.holding, *input_.file.patch);
-    for (std::size_t c = 0; c < after_.inverted.size(); ++c) {
-      if (after_.inverted[c] == 0) continue;
-      if (record_.still_inverted.size() == kInvertedListed) break;
-      record_.still_inverted.push_back({input_.file.patch->cell_name(c),
-                                        holders.of_cell(c, input_.file.mesh.cells().vertices(c))});
-    }
-    record_.holding = holders.ranked();
-  }
-
-  // With what holds them.
-  std::vector<NamedCell> named_worst(const std::vector<std::size_t>& worst) const {
-    const Mesh& mesh = input_.file.mesh;
-    std::vector<char> fixed(mesh.point_count());
-    for (Index v = 0; v < fixed.size(); ++v) fixed[v] = stays(v);
-    const Holders holders(problem_, record_.report.holding, *input_.file.patch);
-    std::vector<NamedCell> named = name_cells(input_, worst, before_, after_, fixed);
-    for (std::size_t i = 0; i < worst.size(); ++i) {
-      named[i].held_by = holders.of_cell(worst[i], mesh.cells().vertices(worst[i]));
-    }
-    return named;
-  }
-
-  // Of a run that failed, what there was by then.
-  void write_html() const {
-    Workers workers(arguments_.threads);
-    ShownMesh shown = shown_mesh(input_, before_);
-    if (problem_.motion.size() > 0) shown.hold = holds_of(problem_.motion, input_.orientation.type);
-    ReportPage page = page_of(input_, summarize(workers, before_));
-    page.status = record_.status;
-    page.message = record_.message;
-    page.command = record_.command;
-    page.notes = record_.notes;
-    page.run = &record_;
-    if (solved_) {
-      shown.after = result_.points();
-      shown.quality_after = &after_;
-      shown.iterates = iterates_.kept();
-      page.after = summarize(workers, after_);
-      add_changes(shown, page);
-      add_run(record_, facts(), page);
-      if (record_.output.empty() && record_.report.moved > 0) {
-        page.notes.emplace_back("\"After\" is what the run came to; it was not written.");
-      }
-      const std::vector<std::size_t> worst = worst_cells(after_, kWorstInPage);
-      const std::vector<NamedCell> named = named_worst(worst);
-      for (std::size_t i = 0; i < worst.size(); ++i) page.worst.push_back({named[i], worst[i]});
-    } else {
-      app::list_worst(input_, shown, page);
-      add_changes(shown, page);
-    }
-    write_page(arguments_.html, page, shown);
-    console_.say("wrote " + arguments_.html.path);
-  }
-
-  RunFacts facts() const {
-    RunFacts facts{.target = arguments_.target,
-                   .max_deviation = problem_.max_deviation,
-                   .fails_demand = fails_a_demand(arguments_.constraints, record_.report.holding),
-                   .same_shape = problem_.targets.empty(),
-                   .allows_worse = arguments_.allow_worse};
-    const Points before = input_.file.mesh.points();
-    const std::vector<char> follows = followers();
-    for (Index v = 0; v < before.size(); ++v) {
-      if (follows[v] || !stays(v)) continue;
-      ++facts.fixed;
-      facts.fixed_moved += std::memcmp(&before[v], &result_.points()[v], sizeof(Vec3)) != 0;
-    }
-    if (target_) {
-      facts.below_target =
-          cells_below(*target_, result_, result_.points(), input_.orientation, arguments_.threads)
-              .size();
-    }
-    return facts;
+    write_reports({.arguments = arguments_,
+                   .input = loaded_ ? &input_ : nullptr,
+                   .problem = problem_,
+                   .result = solved_ ? &result_ : nullptr,
+                   .target = target_,
+                   .iterates = iterates_.kept()},
+                  record_, console_);
   }
 
   const SmoothArguments& arguments_;
@@ -611,8 +459,6 @@ class Run {
   Iterates iterates_;
   bool loaded_ = false;
   bool solved_ = false;
-  CellQuality before_;  // for reports
-  CellQuality after_;
 };
 
 }  // namespace
