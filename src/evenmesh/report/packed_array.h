@@ -20,7 +20,7 @@ enum class Rule : std::uint8_t {
 /// The word for it in the report: "unsigned", "signed", "delta", "highwater".
 std::string_view name(Rule rule);
 
-/// An array of whole numbers in few bytes, as docs/html_report.md describes them: made small by a
+/// An array of whole numbers in few bytes, as web/README.md describes them: made small by a
 /// rule, byte p of all numbers in plane p, the planes one after the other deflated with zlib.
 struct PackedArray {
   std::string bytes = {};      // a zlib stream

@@ -25,25 +25,8 @@ constexpr Fineness kCoarse = {.steps_per_edge = 8.0, .steps_per_box = 4096.0};
 constexpr int kUndefined = 255;
 constexpr std::uint64_t kGreatestNumber = std::numeric_limits<std::int32_t>::max();
 
-int code_of(CellKind kind) {
-  switch (kind) {
-    case CellKind::triangle:
-      return 0;
-    case CellKind::quad:
-      return 1;
-    case CellKind::tet:
-      return 2;
-    case CellKind::pyramid:
-      return 3;
-    case CellKind::wedge:
-      return 4;
-    case CellKind::hex:
-      return 5;
-    case CellKind::polygon:
-      break;
-  }
-  return 6;
-}
+// Of triangle, quad, polygon, tet, hex, wedge, pyramid.
+constexpr std::array<int, kCellKinds> kCodeOfKind = {0, 1, 6, 2, 5, 4, 3};
 
 int byte_of(const CellQuality& quality, const PackedMetric& metric, std::size_t cell) {
   const double value = quality.of(metric.metric)[cell];
@@ -176,7 +159,7 @@ class Packer {
     Numbers vertices;
     Numbers sizes;
     for (const std::uint32_t c : result_.cells) {
-      kinds.push_back(code_of(cells.kind(c)));
+      kinds.push_back(kCodeOfKind[static_cast<std::size_t>(cells.kind(c))]);
       const auto corners = cells.vertices(c);
       for (const Index v : corners) vertices.push_back(number_of_[v]);
       if (cells.kind(c) == CellKind::polygon) {

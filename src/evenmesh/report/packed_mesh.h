@@ -26,7 +26,7 @@ struct NamedArray {
   PackedArray array;
 };
 
-/// A mesh as it stands in a report: docs/html_report.md describes the arrays.
+/// A mesh as it stands in a report: web/README.md describes the arrays.
 struct PackedMesh {
   bool is_flat = false;              // all vertices have the same z
   std::vector<std::uint32_t> cells;  // those that are in it, by their numbers in the mesh
